@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "analyses/table.hpp"
+#include "readers/block.hpp"
+#include "readers/bodies.hpp"
+#include "readers/columns.hpp"
+#include "readers/frame.hpp"
+#include "readers/scene.hpp"
+
+namespace mdana {
+
+/// What an analysis reads. The default is nothing.
+struct Needs {
+  ColumnSet columns;
+  bool after_motion = false;  ///< needs the bodies' motion in the frame before its atoms
+};
+
+/// A block of atoms with the body and mass of each.
+struct LabelledBlock {
+  const AtomBlock& atoms;
+  std::span<const BodyIndex> body;  ///< 1, 2, ...; 0 for atoms of no body
+  std::span<const double> mass;     ///< [mass]
+};
+
+struct BodyMotion;
+
+/// The frame that partials are made for.
+struct FrameContext {
+  const FrameHeader& header;
+  std::span<const BodyMotion> motion;  ///< of body 1, 2, ... if Needs::after_motion
+};
+
+/// What an analysis knows of a part of a frame: a monoid. Partials are made for single blocks and
+/// merged along one fixed tree over block numbers, so that results do not depend on threads.
+class Partial {
+ public:
+  virtual ~Partial() = default;
+  virtual void add(const LabelledBlock& block) = 0;     ///< called once, on a fresh partial
+  virtual void merge(const Partial& later) = 0;         ///< with atoms that follow in the file
+  virtual void close(std::span<double> row) const = 0;  ///< one value for each column
+};
+
+/// One measurement on the atoms of each frame; becomes a table with a row a frame.
+class Analysis {
+ public:
+  virtual ~Analysis() = default;
+  virtual Needs needs() const = 0;
+  virtual std::vector<ColumnSpec> columns() const = 0;
+  virtual std::unique_ptr<Partial> begin(const FrameContext& frame) const = 0;
+};
+
+/// What a member of the list needs to make itself for a run with its default settings.
+struct AnalysisSetup {
+  const Scene& scene;
+  const FrameHeader& first;  ///< columns that there are
+};
+
+/// A member of MDANA_ANALYSES in CMakeLists.txt; each defines `extern const AnalysisMember
+/// <name>_analysis`.
+struct AnalysisMember {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<Analysis> (*make)(const AnalysisSetup& setup);
+};
+
+/// All analyses of this build.
+std::span<const AnalysisMember* const> analysis_members();
+
+}  // namespace mdana

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "analyses/analysis.hpp"
+
+namespace mdana {
+
+struct ContactRadiusSettings {
+  std::array<double, 2> radius;  ///< of body 1, 2 [length], places the plane if they differ
+  double half_layer;             ///< half thickness of the layer [length]; 0.5 sigma in P1
+};
+
+/// Contact radius a = sqrt(2) r_g of the atoms of both bodies within half_layer of the contact
+/// plane, r_g their radius of gyration within the plane (Yoshida, Kokubo & Tanaka 2024, Sec. IV A
+/// 4). The plane is normal to the centre line at (X^2 + R1^2 - R2^2)/(2X) from body 1. Zero while
+/// the layer holds no atoms of one of the bodies: they do not touch.
+/// Columns: contact_radius [length], layer_atoms1, layer_atoms2.
+std::unique_ptr<Analysis> make_contact_radius(ContactRadiusSettings settings);
+
+}  // namespace mdana

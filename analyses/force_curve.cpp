@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/force_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyses/turning_points.hpp"
+
+namespace mdana {
+namespace {
+
+/// First and last frame in contact.
+struct Span {
+  std::size_t first, last;
+};
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+Span contact_span(const std::vector<double>& force) {
+  double strongest = 0;
+  for (const double f : force) strongest = std::max(strongest, std::abs(f));
+  const auto touches = [&](double f) { return std::abs(f) >= contact_force_fraction * strongest; };
+  const auto first = std::find_if(force.begin(), force.end(), touches);
+  const auto last = std::find_if(force.rbegin(), force.rend(), touches);
+  return {static_cast<std::size_t>(first - force.begin()),
+          force.size() - 1 - static_cast<std::size_t>(last - force.rbegin())};
+}
+
+/// The bodies met if they overlap, or if they pushed each other and that changed their speed.
+bool have_contact(const ForceCurve& curve) {
+  if (largest(curve.delta) >= 0) return true;
+  if (!(largest(curve.force) > 0)) return false;
+  if (curve.speed.empty()) return true;
+  const auto [least, most] = std::minmax_element(curve.speed.begin(), curve.speed.end());
+  return *most - *least > 1e-3 * std::abs(curve.speed.front());
+}
+
+std::vector<Cycle> find_cycles(const std::vector<double>& delta, Span contact) {
+  const double rise = largest(delta) - delta[contact.first];
+  const std::vector<Turn> turns = turning_points(delta, turning_point_fraction * rise);
+  std::vector<Cycle> cycles;
+  std::size_t start = 0;
+  for (const Turn& turn : turns) {
+    if (turn.index < contact.first) continue;
+    if (turn.maximum) {
+      cycles.push_back({start, turn.index, delta.size() - 1});
+    } else {
+      if (!cycles.empty()) cycles.back().end = turn.index;
+      start = turn.index;
+    }
+  }
+  return cycles;
+}
+
+Outcome find_outcome(const ForceCurve& curve, Span contact) {
+  if (curve.cycles.empty()) return Outcome::unresolved;
+  const std::size_t last = curve.delta.size() - 1;
+  const bool receding = curve.delta[last] < curve.delta[last > 0 ? last - 1 : 0];
+  if (contact.last < last && receding && curve.cycles.back().end == last) return Outcome::bounce;
+  return curve.cycles.front().end < last ? Outcome::stick : Outcome::unresolved;
+}
+
+std::vector<Phase> find_phases(const ForceCurve& curve, Span contact) {
+  std::vector<Phase> phase(curve.delta.size(), Phase::approach);
+  for (std::size_t i = contact.first; i < phase.size(); ++i) phase[i] = Phase::loading;
+  for (const Cycle& cycle : curve.cycles)
+    for (std::size_t i = cycle.turn + 1; i <= cycle.end; ++i) phase[i] = Phase::unloading;
+  if (curve.outcome == Outcome::bounce)
+    for (std::size_t i = contact.last + 1; i < phase.size(); ++i) phase[i] = Phase::separated;
+  return phase;
+}
+
+/// Integral of F d delta along the frames [first, last], those with delta < low left out and the
+/// steps across low shared in proportion (trapezoidal rule).
+double work_above(const ForceCurve& curve, std::size_t first, std::size_t last, double low) {
+  double work = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    double d0 = curve.delta[i], d1 = curve.delta[i + 1];
+    double f0 = curve.force[i], f1 = curve.force[i + 1];
+    if (d0 < low && d1 < low) continue;
+    if (d0 < low) f0 += (f1 - f0) * ((low - d0) / (d1 - d0)), d0 = low;
+    if (d1 < low) f1 += (f0 - f1) * ((low - d1) / (d0 - d1)), d1 = low;
+    work += 0.5 * (f0 + f1) * (d1 - d0);
+  }
+  return work;
+}
+
+ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units,
+                   double radius_sum) {
+  ForceCurve curve;
+  curve.distance = motion.distance();
+  for (const double x : curve.distance) curve.delta.push_back(radius_sum - x);
+  curve.speed = approach_speed(motion);
+  curve.force = interparticle_force(motion, source, units);
+  curve.contact = have_contact(curve);
+  curve.phase.assign(curve.delta.size(), Phase::approach);
+  curve.delta_max = {largest(curve.delta), {}, dimension::length};
+  curve.force_max = {largest(curve.force), {}, dimension::force};
+  curve.force_min_loading.dimension = dimension::force;
+  curve.hysteresis_area.dimension = dimension::energy;
+  if (!curve.contact) return curve;
+
+  const Span contact = contact_span(curve.force);
+  curve.cycles = find_cycles(curve.delta, contact);
+  curve.outcome = find_outcome(curve, contact);
+  curve.phase = find_phases(curve, contact);
+  const std::size_t turn = curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn;
+  curve.force_min_loading.value =
+      *std::min_element(curve.force.begin(), curve.force.begin() + static_cast<long>(turn) + 1);
+  if (!curve.cycles.empty()) {
+    const Cycle& c = curve.cycles[0];
+    curve.hysteresis_area.value = work_above(curve, c.start, c.end,
+                                             std::max(curve.delta[c.start], curve.delta[c.end]));
+  }
+  return curve;
+}
+
+void widen(Value& value, const Value& coarse) {
+  value.error = std::max(value.error.value_or(0), std::abs(value.value - coarse.value));
+}
+
+}  // namespace
+
+std::string_view name(Phase phase) {
+  constexpr std::array<std::string_view, 4> names{"approach", "loading", "unloading", "separated"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+std::string_view name(Outcome outcome) {
+  constexpr std::array<std::string_view, 3> names{"bounce", "stick", "unresolved"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
+                       double radius_sum) {
+  ForceCurve curve = measure(motion, source, units, radius_sum);
+  if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
+  for (const std::size_t first : {0, 1}) {
+    const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum);
+    widen(curve.force_max, coarse.force_max);
+    widen(curve.force_min_loading, coarse.force_min_loading);
+    widen(curve.delta_max, coarse.delta_max);
+    if (!curve.cycles.empty()) widen(curve.hysteresis_area, coarse.hysteresis_area);
+  }
+  return curve;
+}
+
+Table force_table(const ForceCurve& curve, const RelativeMotion& motion) {
+  Table table;
+  table.add_column({"step", dimension::none},
+                   std::vector<double>(motion.steps.begin(), motion.steps.end()));
+  if (!motion.times.empty()) table.add_column({"time", dimension::time}, motion.times);
+  table.add_column({"X", dimension::length}, curve.distance);
+  table.add_column({"delta", dimension::length}, curve.delta);
+  if (!curve.speed.empty()) table.add_column({"v", dimension::velocity}, curve.speed);
+  table.add_column({"F", dimension::force}, curve.force);
+  std::vector<std::string> labels;
+  for (const Phase p : {Phase::approach, Phase::loading, Phase::unloading, Phase::separated})
+    labels.emplace_back(name(p));
+  std::vector<double> phase;
+  for (const Phase p : curve.phase) phase.push_back(static_cast<double>(p));
+  table.add_column({"phase", dimension::none, std::move(labels)}, std::move(phase));
+  return table;
+}
+
+}  // namespace mdana

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "analyses/relative_motion.hpp"
+#include "analyses/table.hpp"
+#include "analyses/value.hpp"
+
+namespace mdana {
+
+/// Stages of a collision. Loading and unloading follow each other again and again if the pair
+/// sticks and oscillates.
+enum class Phase { approach, loading, unloading, separated };
+
+/// How a collision ended: the bodies separated, they turned back while bound, or the dump ends
+/// before either.
+enum class Outcome { bounce, stick, unresolved };
+
+std::string_view name(Phase phase);
+std::string_view name(Outcome outcome);
+
+/// Bodies touch from the first to the last frame in which |F| is at least this part of its maximum.
+inline constexpr double contact_force_fraction = 0.01;
+/// A turning point of delta counts if delta goes back by at least this part of its rise in contact.
+inline constexpr double turning_point_fraction = 0.01;
+
+/// One loading and the unloading after it.
+struct Cycle {
+  std::size_t start, turn, end;  ///< frames of least, greatest, least delta
+};
+
+/// Force against mutual approach, and what is read off it. Errors are the largest difference to the
+/// same number from every second frame (even ones, odd ones).
+struct ForceCurve {
+  std::vector<double> distance;  ///< X [length]
+  std::vector<double> delta;     ///< R1 + R2 - X [length]
+  std::vector<double> speed;     ///< d delta/dt [velocity]; empty if unknown
+  std::vector<double> force;     ///< repulsive > 0 [force]
+  std::vector<Phase> phase;
+  std::vector<Cycle> cycles;     ///< the first is the collision; empty without contact
+
+  bool contact = false;
+  Outcome outcome = Outcome::unresolved;
+  Value force_max;          ///< greatest repulsive force
+  Value force_min_loading;  ///< least force up to the first turn (greatest attraction)
+  Value delta_max;
+  /// Area between the first loading and the first unloading branch over the delta that both cover:
+  /// the energy lost in the first cycle; for a bounce all that is lost.
+  Value hysteresis_area;
+};
+
+/// Reads phases, turning points, outcome and loop area off the motion.
+/// `radius_sum` is R1 + R2. Throws InputError as interparticle_force does.
+ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
+                       double radius_sum);
+
+/// Columns step, [time,] X, delta, [v,] F, phase: a row a frame.
+Table force_table(const ForceCurve& curve, const RelativeMotion& motion);
+
+}  // namespace mdana

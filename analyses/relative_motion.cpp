@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/relative_motion.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analyses/motion.hpp"
+#include "readers/input_error.hpp"
+
+namespace mdana {
+namespace {
+
+Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3Xd& samples,
+                              const DerivativeRule& rule) {
+  if (motion.frames() <= rule.degree)
+    throw InputError(fmt::format("{} frames are too few to differentiate; {} are needed",
+                                 motion.frames(), rule.degree + 1));
+  return derivative(motion.times, samples, rule);
+}
+
+/// Components of the columns of `vectors` along the centre line.
+std::vector<double> along_centre_line(const RelativeMotion& motion,
+                                      const Eigen::Matrix3Xd& vectors, double factor) {
+  std::vector<double> result;
+  for (Eigen::Index i = 0; i < motion.frames(); ++i) {
+    const Eigen::Vector3d line = motion.position.col(i);
+    result.push_back(factor * (vectors.col(i).dot(line) / line.norm()));
+  }
+  return result;
+}
+
+Eigen::Matrix3Xd every(const Eigen::Matrix3Xd& columns, std::size_t first, std::size_t stride) {
+  std::vector<Eigen::Index> chosen;
+  for (auto i = static_cast<Eigen::Index>(first); i < columns.cols();
+       i += static_cast<Eigen::Index>(stride))
+    chosen.push_back(i);
+  return columns(Eigen::all, chosen);
+}
+
+template <class T>
+std::vector<T> every(const std::vector<T>& values, std::size_t first, std::size_t stride) {
+  std::vector<T> chosen;
+  for (std::size_t i = first; i < values.size(); i += stride) chosen.push_back(values[i]);
+  return chosen;
+}
+
+}  // namespace
+
+std::string_view name(ForceSource source) {
+  constexpr std::array<std::string_view, 3> names{"forces", "velocities", "positions"};
+  return names[static_cast<std::size_t>(source)];
+}
+
+std::string_view description(ForceSource source) {
+  constexpr std::array<std::string_view, 3> texts{
+      "summed forces of the atoms, m* (F2/m2 - F1/m1)",
+      "m* dv/dt, derivative of the relative velocity over 5 frames",
+      "m* d2x/dt2, second derivative of the relative position over 5 frames"};
+  return texts[static_cast<std::size_t>(source)];
+}
+
+bool RelativeMotion::can_give(ForceSource source) const {
+  switch (source) {
+    case ForceSource::forces: return acceleration.cols() > 0;
+    case ForceSource::velocities: return velocity.cols() > 0 && !times.empty();
+    case ForceSource::positions: return !times.empty();
+  }
+  return false;
+}
+
+std::vector<double> RelativeMotion::distance() const {
+  std::vector<double> result;
+  for (Eigen::Index i = 0; i < frames(); ++i) result.push_back(position.col(i).norm());
+  return result;
+}
+
+RelativeMotion RelativeMotion::subset(std::size_t first, std::size_t stride) const {
+  RelativeMotion part;
+  part.steps = every(steps, first, stride);
+  part.times = every(times, first, stride);
+  part.reduced_mass = reduced_mass;
+  part.position = every(position, first, stride);
+  part.velocity = every(velocity, first, stride);
+  part.acceleration = every(acceleration, first, stride);
+  return part;
+}
+
+RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
+                               const std::vector<double>& times) {
+  RelativeMotion result;
+  result.steps = steps;
+  result.times = times;
+  const auto n = static_cast<Eigen::Index>(motion.rows());
+  const bool has_velocity = motion.has("vx1");
+  const bool has_force = motion.has("fx1");
+  result.position.resize(3, n);
+  result.velocity.resize(3, has_velocity ? n : 0);
+  result.acceleration.resize(3, has_force ? n : 0);
+  double mass1 = 0, mass2 = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto [a, b] = body_motion(motion, static_cast<std::size_t>(i));
+    if (i == 0) {
+      mass1 = a.mass;
+      mass2 = b.mass;
+      result.reduced_mass = mass1 * (mass2 / (mass1 + mass2));
+    }
+    if (a.mass != mass1 || b.mass != mass2)
+      throw InputError(fmt::format("step {}: the masses of the bodies ({:.10g}, {:.10g}) differ "
+                                   "from those of the first frame ({:.10g}, {:.10g}): atoms were "
+                                   "lost or changed body", steps[static_cast<std::size_t>(i)],
+                                   a.mass, b.mass, mass1, mass2));
+    result.position.col(i) = b.position - a.position;
+    if (has_velocity) result.velocity.col(i) = b.velocity - a.velocity;
+    if (has_force) result.acceleration.col(i) = b.force / b.mass - a.force / a.mass;
+  }
+  return result;
+}
+
+std::vector<double> approach_speed(const RelativeMotion& motion) {
+  if (motion.velocity.cols() > 0) return along_centre_line(motion, motion.velocity, -1.0);
+  if (motion.times.empty() || motion.frames() <= first_derivative.degree) return {};
+  const Eigen::Matrix3Xd velocity = derivative(motion.times, motion.position, first_derivative);
+  return along_centre_line(motion, velocity, -1.0);
+}
+
+std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
+                                        Units units) {
+  if (!motion.can_give(source))
+    throw InputError(fmt::format("the force cannot be had from {}: {}", name(source),
+                                 motion.times.empty() && source != ForceSource::forces
+                                     ? "the time between frames is unknown"
+                                     : "the dump lacks the columns"));
+  const double from_acceleration = motion.reduced_mass * force_per_mass_acceleration(units);
+  switch (source) {
+    case ForceSource::forces:
+      return along_centre_line(motion, motion.acceleration, motion.reduced_mass);
+    case ForceSource::velocities:
+      return along_centre_line(motion, differentiate(motion, motion.velocity, first_derivative),
+                               from_acceleration);
+    case ForceSource::positions:
+      return along_centre_line(motion, differentiate(motion, motion.position, second_derivative),
+                               from_acceleration);
+  }
+  return {};
+}
+
+}  // namespace mdana

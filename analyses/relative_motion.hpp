@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analyses/derivative.hpp"
+#include "analyses/table.hpp"
+#include "readers/units.hpp"
+
+namespace mdana {
+
+/// Where the interparticle force comes from, best first.
+enum class ForceSource {
+  forces,      ///< summed forces of the atoms: exact at every frame
+  velocities,  ///< reduced mass times d/dt of the relative velocity
+  positions    ///< reduced mass times d2/dt2 of the relative position
+};
+
+std::string_view name(ForceSource source);         ///< "forces", ...
+std::string_view description(ForceSource source);  ///< in words with its formula
+
+/// Motion of body 2 seen from body 1, one column a frame.
+struct RelativeMotion {
+  std::vector<std::int64_t> steps;
+  std::vector<double> times;      ///< [time]; empty if unknown
+  double reduced_mass = 0;        ///< m* = m1 m2 / (m1 + m2) of the first frame [mass]
+  Eigen::Matrix3Xd position;      ///< X2 - X1 [length]
+  Eigen::Matrix3Xd velocity;      ///< [velocity]; no columns if not measured
+  Eigen::Matrix3Xd acceleration;  ///< F2/m2 - F1/m1 [force/mass]; no columns without forces
+
+  Eigen::Index frames() const { return position.cols(); }
+  bool can_give(ForceSource source) const;
+  std::vector<double> distance() const;  ///< X = |X2 - X1| [length]
+
+  /// Every `stride`-th frame from `first` on.
+  RelativeMotion subset(std::size_t first, std::size_t stride) const;
+};
+
+/// From a motion table. `times` may be empty. Throws InputError if the reduced mass is not constant
+/// (atoms of a body lost or gained).
+RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
+                               const std::vector<double>& times);
+
+/// Approach speed -dX/dt > 0 while approaching, from velocities or else from positions [velocity];
+/// empty if neither velocities nor times are known, or if frames are too few to differentiate.
+std::vector<double> approach_speed(const RelativeMotion& motion);
+
+/// Force between the bodies along their centre line, positive if repulsive, in the unit system's
+/// force unit: m* times relative acceleration (Yoshida, Kokubo & Tanaka 2024, Sec. IV A 1).
+/// Throws InputError if the source is not there or frames are too few to differentiate.
+std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
+                                        Units units);
+
+/// Five-point formulas, exact for polynomials of degree 4.
+inline constexpr DerivativeRule first_derivative{1, 4, 5};
+inline constexpr DerivativeRule second_derivative{2, 4, 5};
+
+}  // namespace mdana

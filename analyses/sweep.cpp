@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/sweep.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "analyses/merge_tree.hpp"
+#include "analyses/motion.hpp"
+#include "readers/input_error.hpp"
+#include "readers/last_digit.hpp"
+#include "readers/positions.hpp"
+#include "readers/trajectory.hpp"
+
+namespace mdana {
+namespace {
+
+/// The analyses of one round of a frame, and where their rows go.
+struct Round {
+  std::vector<std::size_t> members;
+  std::vector<MergeTree> trees;
+};
+
+class Sweep {
+ public:
+  Sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
+        std::span<const std::unique_ptr<Analysis>> analyses, const SweepOptions& options)
+      : bodies_(bodies), masses_(masses), analyses_(analyses), options_(options) {
+    for (const auto& analysis : analyses) {
+      needs_.push_back(analysis->needs());
+      wanted_.add(needs_.back().columns);
+      result_.tables.emplace_back(analysis->columns());
+    }
+    wanted_.add(bodies.columns());
+    wanted_.add(masses.columns());
+    source_ = open_trajectory(dump, wanted_);
+  }
+
+  SweepResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      while (!enough() && source_->next(header_))
+        if (header_.index % options_.stride == 0) frame();
+    } catch (const InputError& error) {
+      if (result_.steps.empty()) throw;
+      result_.damage = error.what();
+    }
+    if (result_.steps.empty()) throw InputError("no frame in the file");
+    if (!enough()) result_.input = source_->record();
+    result_.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(result_);
+  }
+
+ private:
+  void frame() {
+    check_units_and_times();
+    rows_.clear();
+    for (const Table& table : result_.tables) rows_.emplace_back(table.columns().size());
+    kept_.clear();
+    keep_ = needs_second_round();
+    std::vector<BodyMotion> motion;
+    round(false, motion);
+    if (needs_second_round()) {
+      Table row(result_.tables[0].columns());
+      row.add_row(rows_[0]);
+      const auto both = body_motion(row, 0);
+      motion.assign(both.begin(), both.end());
+      round(true, motion);
+    }
+    for (std::size_t k = 0; k < analyses_.size(); ++k) result_.tables[k].add_row(rows_[k]);
+    result_.steps.push_back(header_.step);
+    if (header_.time) result_.stated_times.push_back(*header_.time);
+    if (options_.progress) options_.progress(result_.steps.size());
+  }
+
+  void check_units_and_times() {
+    if (!result_.steps.empty() && header_.step <= result_.steps.back())
+      throw InputError(fmt::format("{}: the step does not come after that of the frame before ({})",
+                                   header_.place, result_.steps.back()));
+    if (header_.time.has_value() != (result_.stated_times.size() == result_.steps.size()) &&
+        !result_.steps.empty())
+      throw InputError(fmt::format("{}: some frames state their time and some do not",
+                                   header_.place));
+    const auto positions = position_source(header_.columns);
+    if (positions && positions->may_jump(header_.box)) result_.positions_may_jump = true;
+  }
+
+  bool enough() const { return options_.frames && result_.steps.size() >= *options_.frames; }
+
+  bool needs_second_round() const {
+    return std::any_of(needs_.begin(), needs_.end(), [](const Needs& n) { return n.after_motion; });
+  }
+
+  /// Gives the frame's blocks to the analyses of one round and closes their rows.
+  void round(bool second, std::span<const BodyMotion> motion) {
+    Round members;
+    for (std::size_t k = 0; k < needs_.size(); ++k)
+      if (needs_[k].after_motion == second) members.members.push_back(k);
+    members.trees.resize(members.members.size());
+    const FrameContext context{header_, motion};
+    for_blocks(second, [&](const AtomBlock& block) { add(block, context, members); });
+    for (std::size_t i = 0; i < members.members.size(); ++i) {
+      const auto whole = members.trees[i].finish();
+      if (!whole) throw InputError(fmt::format("{}: a frame without atoms", header_.place));
+      whole->close(rows_[members.members[i]]);
+    }
+  }
+
+  void add(const AtomBlock& block, const FrameContext& context, Round& members) {
+    bodies_.label(block, body_);
+    masses_.fill(block, mass_);
+    const LabelledBlock labelled{block, body_, mass_};
+    for (std::size_t i = 0; i < members.members.size(); ++i) {
+      auto partial = analyses_[members.members[i]]->begin(context);
+      partial->add(labelled);
+      members.trees[i].push(std::move(partial));
+    }
+    if (options_.stop && *options_.stop) throw Interrupted(*options_.stop);
+  }
+
+  /// Blocks of the frame: from the file, or those kept in the first round.
+  template <class Use>
+  void for_blocks(bool again, Use&& use) {
+    if (again && keep_) {
+      for (const AtomBlock& block : kept_) use(block);
+      return;
+    }
+    if (again) source_->restart_frame();
+    std::size_t bytes = 0;
+    AtomBlock block;
+    while (source_->cut(chunk_)) {
+      source_->convert(chunk_, block);
+      if (options_.last_digit_seed)
+        move_last_digits(*source_, chunk_, header_, wanted_, *options_.last_digit_seed, block);
+      use(block);
+      bytes += block.bytes();
+      keep_ = keep_ && !again && bytes <= options_.memory;
+      if (keep_)
+        kept_.push_back(std::move(block));
+      else
+        kept_.clear();
+    }
+  }
+
+  const Bodies& bodies_;
+  const Masses& masses_;
+  std::span<const std::unique_ptr<Analysis>> analyses_;
+  const SweepOptions& options_;
+  std::vector<Needs> needs_;
+  ColumnSet wanted_;
+  std::unique_ptr<FrameSource> source_;
+  SweepResult result_;
+
+  FrameHeader header_;
+  Chunk chunk_;
+  std::vector<BodyIndex> body_;
+  std::vector<double> mass_;
+  std::vector<std::vector<double>> rows_;
+  bool keep_ = false;  ///< the whole frame is in kept_
+  std::vector<AtomBlock> kept_;
+};
+
+}  // namespace
+
+SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
+                  std::span<const std::unique_ptr<Analysis>> analyses,
+                  const SweepOptions& options) {
+  return Sweep(dump, bodies, masses, analyses, options).run();
+}
+
+}  // namespace mdana

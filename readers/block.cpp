@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/block.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mdana {
+namespace {
+
+template <class Columns>
+auto find(Columns& columns, std::string_view name) {
+  return std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
+}
+
+template <class Columns>
+auto& existing(Columns& columns, std::string_view name) {
+  const auto it = find(columns, name);
+  if (it == columns.end())
+    throw std::logic_error("column " + std::string(name) + " was not declared in Needs");
+  return it->values;
+}
+
+template <class Columns>
+auto& made(Columns& columns, std::string_view name, std::size_t atoms) {
+  auto it = find(columns, name);
+  if (it == columns.end()) it = columns.insert(columns.end(), {std::string(name), {}});
+  it->values.resize(atoms);
+  return it->values;
+}
+
+}  // namespace
+
+void AtomBlock::reset(std::uint64_t number, std::size_t atoms) {
+  number_ = number;
+  atoms_ = atoms;
+  for (auto& c : reals_) c.values.resize(atoms);
+  for (auto& c : integers_) c.values.resize(atoms);
+}
+
+std::span<const double> AtomBlock::real(std::string_view name) const {
+  return existing(reals_, name);
+}
+std::span<const std::int64_t> AtomBlock::integer(std::string_view name) const {
+  return existing(integers_, name);
+}
+std::span<double> AtomBlock::make_real(std::string_view name) { return made(reals_, name, atoms_); }
+std::span<std::int64_t> AtomBlock::make_integer(std::string_view name) {
+  return made(integers_, name, atoms_);
+}
+
+std::size_t AtomBlock::bytes() const {
+  return atoms_ * (reals_.size() * sizeof(double) + integers_.size() * sizeof(std::int64_t));
+}
+
+}  // namespace mdana

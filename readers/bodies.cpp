@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/bodies.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "readers/clusters.hpp"
+#include "readers/input_error.hpp"
+#include "readers/trajectory.hpp"
+
+namespace mdana {
+namespace {
+
+constexpr std::size_t most_bodies = 255;
+
+/// The distinct values of an integer column in the first frame; stops counting beyond 255.
+std::vector<std::int64_t> distinct(const std::filesystem::path& dump, const std::string& column) {
+  std::set<std::int64_t> values;
+  for_first_frame(dump, {column}, [&](const AtomBlock& block) {
+    for (const std::int64_t v : block.integer(column))
+      if (values.size() <= most_bodies) values.insert(v);
+  });
+  return {values.begin(), values.end()};
+}
+
+Bodies by_values(const std::filesystem::path& dump, const FrameHeader& first,
+                 const std::string& column) {
+  if (!first.has_column(column))
+    throw InputError(fmt::format("{}: no column '{}' for --bodies {}", first.place, column, column));
+  std::vector<Bodies::Run> runs;
+  const auto values = distinct(dump, column);
+  if (values.size() > most_bodies)
+    throw InputError(fmt::format("{}: more than {} different values of '{}'; use another --bodies",
+                                 first.place, most_bodies, column));
+  for (const std::int64_t v : values)
+    runs.push_back({v, v, static_cast<BodyIndex>(runs.size() + 1)});
+  return {column, runs, fmt::format("{} {}", column, fmt::join(values, ", "))};
+}
+
+std::int64_t whole_number(std::string_view text, const std::string& rule) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw InputError(fmt::format("bodies '{}': id:FIRST-LAST expected", rule));
+  return value;
+}
+
+Bodies by_id_range(const FrameHeader& first, const std::string& rule) {
+  const std::string_view range = std::string_view(rule).substr(3);
+  const std::size_t dash = range.find('-', 1);
+  if (dash == std::string_view::npos)
+    throw InputError(fmt::format("bodies '{}': id:FIRST-LAST expected", rule));
+  if (!first.has_column("id"))
+    throw InputError(fmt::format("{}: no column 'id' for --bodies {}", first.place, rule));
+  const std::int64_t a = whole_number(range.substr(0, dash), rule);
+  const std::int64_t b = whole_number(range.substr(dash + 1), rule);
+  if (b < a) throw InputError(fmt::format("bodies '{}': the range is empty", rule));
+  using Limits = std::numeric_limits<std::int64_t>;
+  std::vector<Bodies::Run> runs;
+  if (a > Limits::min()) runs.push_back({Limits::min(), a - 1, 2});
+  runs.push_back({a, b, 1});
+  if (b < Limits::max()) runs.push_back({b + 1, Limits::max(), 2});
+  return {"id", runs, fmt::format("ids {} to {}, and all others", a, b)};
+}
+
+Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) {
+  if (!first.has_column("id"))
+    throw InputError(fmt::format("{}: no column 'id' to follow clusters by", first.place));
+  std::vector<std::int64_t> ids;
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(first.atoms));
+  Eigen::Index n = 0;
+  for_first_frame(dump, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
+    const auto id = block.integer("id");
+    const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
+    ids.insert(ids.end(), id.begin(), id.end());
+    for (std::size_t i = 0; i < x.size(); ++i) positions.col(n++) << x[i], y[i], z[i];
+  });
+  const Clusters clusters = find_clusters(positions);
+  auto runs = cluster_runs(clusters, ids, ids.size() / 100 + 1);
+  return {"id", std::move(runs),
+          fmt::format("clusters of atoms within {:.4g} of each other in the first frame",
+                      clusters.link_distance)};
+}
+
+Bodies by_default(const std::filesystem::path& dump, const FrameHeader& first) {
+  for (const char* column : {"type", "mol"}) {
+    if (!first.has_column(column)) continue;
+    Bodies bodies = by_values(dump, first, column);
+    if (bodies.count() == 2) return bodies;
+  }
+  return by_clusters(dump, first);
+}
+
+}  // namespace
+
+Bodies::Bodies(std::string column, std::vector<Run> runs, std::string rule)
+    : column_(std::move(column)), runs_(std::move(runs)), rule_(std::move(rule)) {
+  for (const Run& run : runs_) count_ = std::max<std::size_t>(count_, run.body);
+}
+
+void Bodies::label(const AtomBlock& block, std::vector<BodyIndex>& body) const {
+  const auto values = block.integer(column_);
+  body.resize(values.size());
+  Run last{1, 0, 0};  // neighbours in a file mostly belong to the same run
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::int64_t v = values[i];
+    if (v < last.first || v > last.last) {
+      const auto it = std::lower_bound(runs_.begin(), runs_.end(), v,
+                                       [](const Run& run, std::int64_t x) { return run.last < x; });
+      last = it != runs_.end() && it->first <= v ? *it : Run{v, v, 0};
+    }
+    body[i] = last.body;
+  }
+}
+
+Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
+                   const std::string& rule) {
+  if (rule.empty()) return by_default(dump, first);
+  if (rule == "type" || rule == "mol") return by_values(dump, first, rule);
+  if (rule.starts_with("id:")) return by_id_range(first, rule);
+  if (rule == "clusters") return by_clusters(dump, first);
+  throw InputError(fmt::format("bodies '{}': type, mol, clusters or id:FIRST-LAST expected", rule));
+}
+
+}  // namespace mdana

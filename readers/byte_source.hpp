@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "readers/input_record.hpp"
+
+namespace mdana {
+
+/// The decompressed bytes of a file in their order, with one place to go back to.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+
+  /// Bytes delivered; fewer than asked for only at the end.
+  virtual std::size_t read(std::span<char> into) = 0;
+
+  virtual void mark() = 0;   ///< remembers this place
+  virtual void reset() = 0;  ///< goes back to it
+
+  /// What is wrong with the compressed data met so far ("gzip data end early ..."); else empty.
+  virtual std::string damage() const { return {}; }
+
+  virtual InputRecord record() = 0;
+};
+
+/// Opens a file by its first bytes: gzip (any number of members) or plain.
+/// Throws InputError if it cannot be opened.
+std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path);
+
+}  // namespace mdana

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "readers/input_error.hpp"
+
+namespace mdana {
+namespace {
+
+using Cell = std::array<std::int32_t, 3>;
+
+/// Points sorted by the cubic cell that holds them; only occupied cells are kept, so that empty
+/// space costs nothing.
+class CellList {
+ public:
+  CellList(const Eigen::Matrix3Xd& points, double edge) : points_(points), edge_(edge) {
+    origin_ = points.rowwise().minCoeff();
+    for (Eigen::Index i = 0; i < points.cols(); ++i) sorted_.emplace_back(cell_of(i), i);
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  /// Calls use(j, squared distance) for the other points j in the 27 cells around point i.
+  template <class Use>
+  void for_neighbours(Eigen::Index i, Use&& use) const {
+    const Cell c = cell_of(i);
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for_row({c[0] + dx, c[1] + dy, c[2] - 1}, {c[0] + dx, c[1] + dy, c[2] + 1}, i, use);
+  }
+
+ private:
+  Cell cell_of(Eigen::Index i) const {
+    const Eigen::Vector3d scaled = (points_.col(i) - origin_) / edge_;
+    return {static_cast<std::int32_t>(scaled.x()), static_cast<std::int32_t>(scaled.y()),
+            static_cast<std::int32_t>(scaled.z())};
+  }
+
+  template <class Use>
+  void for_row(const Cell& first, const Cell& last, Eigen::Index i, Use& use) const {
+    auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, Eigen::Index{0}});
+    for (; it != sorted_.end() && it->first <= last; ++it)
+      if (it->second != i) use(it->second, (points_.col(it->second) - points_.col(i)).squaredNorm());
+  }
+
+  const Eigen::Matrix3Xd& points_;
+  double edge_;
+  Eigen::Vector3d origin_;
+  std::vector<std::pair<Cell, Eigen::Index>> sorted_;
+};
+
+double extent(const Eigen::Matrix3Xd& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+}
+
+/// Median over a thousand sampled points of the distance to the nearest other point, searched in
+/// cells that grow until most samples have a neighbour.
+double nearest_neighbour_distance(const Eigen::Matrix3Xd& points) {
+  const Eigen::Index n = points.cols();
+  const Eigen::Index stride = std::max<Eigen::Index>(1, n / 1000);
+  double edge = extent(points) / std::cbrt(static_cast<double>(n));
+  for (int doubling = 0; doubling < 60; ++doubling, edge *= 2) {
+    const CellList cells(points, edge);
+    std::vector<double> nearest;
+    for (Eigen::Index i = 0; i < n; i += stride) {
+      double best = std::numeric_limits<double>::infinity();
+      cells.for_neighbours(i, [&](Eigen::Index, double d2) {
+        if (d2 > 0) best = std::min(best, d2);
+      });
+      nearest.push_back(std::sqrt(best));
+    }
+    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+    std::nth_element(nearest.begin(), middle, nearest.end());
+    if (*middle <= edge) return *middle;  // within reach of the 27 cells, so truly the nearest
+  }
+  throw InputError("no distance between neighbouring atoms can be found");
+}
+
+/// Sets of points, merged step by step.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+Clusters find_clusters(const Eigen::Matrix3Xd& points) {
+  if (!points.allFinite()) throw InputError("clusters: a position is not finite");
+  if (points.cols() < 2 || extent(points) == 0)
+    throw InputError("clusters: fewer than two atoms at different places");
+  Clusters clusters;
+  clusters.link_distance = 1.5 * nearest_neighbour_distance(points);
+  const double limit = clusters.link_distance * clusters.link_distance;
+  const CellList cells(points, clusters.link_distance);
+  const auto n = static_cast<std::size_t>(points.cols());
+  DisjointSets sets(n);
+  for (std::size_t i = 0; i < n; ++i)
+    cells.for_neighbours(static_cast<Eigen::Index>(i), [&](Eigen::Index j, double d2) {
+      if (d2 <= limit) sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    });
+
+  std::map<std::uint32_t, std::uint32_t> number_of_root;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto next = static_cast<std::uint32_t>(clusters.sizes.size());
+    const auto [it, fresh] = number_of_root.emplace(sets.root(static_cast<std::uint32_t>(i)), next);
+    if (fresh) clusters.sizes.push_back(0);
+    ++clusters.sizes[it->second];
+    clusters.of_point.push_back(it->second);
+  }
+  return clusters;
+}
+
+std::vector<Bodies::Run> cluster_runs(const Clusters& clusters, std::span<const std::int64_t> ids,
+                                      std::size_t smallest) {
+  std::vector<std::pair<std::int64_t, std::uint32_t>> by_id;
+  for (std::size_t i = 0; i < ids.size(); ++i) by_id.emplace_back(ids[i], clusters.of_point[i]);
+  std::sort(by_id.begin(), by_id.end());
+
+  std::map<std::uint32_t, BodyIndex> body_of_cluster;
+  std::vector<Bodies::Run> runs;
+  for (const auto& [id, cluster] : by_id) {
+    if (clusters.sizes[cluster] < smallest) continue;
+    const auto next = static_cast<BodyIndex>(body_of_cluster.size() + 1);
+    const BodyIndex body = body_of_cluster.emplace(cluster, next).first->second;
+    if (!runs.empty() && runs.back().body == body && runs.back().last + 1 == id)
+      runs.back().last = id;
+    else
+      runs.push_back({id, id, body});
+  }
+  return runs;
+}
+
+}  // namespace mdana

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "readers/format.hpp"
+#include "readers/input_error.hpp"
+#include "readers/lammps_text/atoms.hpp"
+#include "readers/lammps_text/header.hpp"
+#include "readers/line_reader.hpp"
+
+namespace mdana {
+namespace {
+
+using lammps_text::AtomLayout;
+
+class LammpsText final : public FrameSource {
+ public:
+  LammpsText(std::unique_ptr<ByteSource> bytes, const std::filesystem::path& path,
+             const ColumnSet& wanted)
+      : lines_(std::move(bytes)), path_(path.string()), wanted_(wanted) {}
+
+  bool next(FrameHeader& header) override {
+    expect_lines(lines_.skip(lines_left_), lines_left_);
+    const auto found = lammps_text::read_header(lines_, path_, frames_);
+    if (!found) {
+      check_bytes();
+      return false;
+    }
+    header_ = *found;
+    layout_ = AtomLayout(header_, wanted_);
+    ++frames_;
+    lines_left_ = header_.atoms;
+    lines_.mark();
+    header = header_;
+    return true;
+  }
+
+  bool cut(Chunk& chunk) override {
+    if (lines_left_ == 0) return false;
+    chunk.number = (header_.atoms - lines_left_) / AtomBlock::capacity;
+    chunk.first_line = lines_.number() + 1;
+    chunk.atoms = std::min<std::size_t>(lines_left_, AtomBlock::capacity);
+    expect_lines(lines_.take(chunk.atoms, chunk.bytes), chunk.atoms);
+    lines_left_ -= chunk.atoms;
+    return true;
+  }
+
+  void convert(const Chunk& chunk, AtomBlock& block) const override {
+    layout_.convert(chunk, path_, block);
+  }
+
+  void restart_frame() override {
+    lines_.reset();
+    lines_left_ = header_.atoms;
+  }
+
+  int printed_digits(const Chunk& chunk, std::string_view column) const override {
+    const auto it = std::find(header_.columns.begin(), header_.columns.end(), column);
+    if (it == header_.columns.end()) return 0;
+    return lammps_text::printed_digits(chunk,
+                                       static_cast<std::size_t>(it - header_.columns.begin()));
+  }
+
+  InputRecord record() override { return lines_.bytes().record(); }
+
+ private:
+  void expect_lines(std::size_t got, std::size_t wanted) const {
+    if (got == wanted) return;
+    check_bytes();
+    throw TruncatedInput(fmt::format(
+        "{}:{}: the file ends within the atoms of frame {} (step {}): {} whole lines are missing{}",
+        path_, lines_.number(), header_.index, header_.step, lines_left_ - got,
+        lines_.unfinished() ? ", the last one has no end" : ""));
+  }
+
+  void check_bytes() const {
+    const std::string damage = lines_.bytes().damage();
+    if (!damage.empty())
+      throw TruncatedInput(fmt::format("{}: {} in frame {}", path_, damage, frames_));
+  }
+
+  mutable LineReader lines_;
+  std::string path_;
+  ColumnSet wanted_;
+  FrameHeader header_;
+  AtomLayout layout_;
+  std::uint64_t frames_ = 0;
+  std::uint64_t lines_left_ = 0;
+};
+
+bool recognises(std::string_view head) {
+  const std::size_t start = head.find_first_not_of(" \t\r\n");
+  return start != std::string_view::npos && head.substr(start).starts_with("ITEM: ");
+}
+
+std::unique_ptr<FrameSource> open(std::unique_ptr<ByteSource> bytes,
+                                  const std::filesystem::path& path, const ColumnSet& wanted) {
+  return std::make_unique<LammpsText>(std::move(bytes), path, wanted);
+}
+
+}  // namespace
+
+extern const Format lammps_text_format;
+const Format lammps_text_format{"lammps_text", "LAMMPS text dump (styles atom and custom)",
+                                recognises, open};
+
+}  // namespace mdana

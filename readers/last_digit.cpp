@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/last_digit.hpp"
+
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "readers/positions.hpp"
+
+namespace mdana {
+namespace {
+
+/// SplitMix64 (Steele, Lea & Flood 2014): a well-mixed 64-bit hash of a counter.
+std::uint64_t mix(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t h = 0;
+  for (const char c : text) h = mix(h ^ static_cast<unsigned char>(c));
+  return h;
+}
+
+/// Uniform in [-1/2, 1/2).
+double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53 - 0.5; }
+
+/// One unit in the last of `digits` significant digits of the value.
+double last_digit_unit(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return 0;
+  return std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
+}
+
+/// The random moves of one column of a chunk.
+class Moves {
+ public:
+  Moves(const FrameSource& source, const Chunk& chunk, std::int64_t step, std::uint64_t seed,
+        std::string_view column)
+      : digits_(source.printed_digits(chunk, column)),
+        start_(mix(mix(mix(seed) ^ static_cast<std::uint64_t>(step)) ^ hash(column)) +
+               chunk.number * AtomBlock::capacity) {}
+
+  double operator()(std::size_t atom, double value) const {
+    return digits_ == 0 ? 0.0 : uniform(mix(start_ + atom)) * last_digit_unit(value, digits_);
+  }
+
+ private:
+  int digits_;
+  std::uint64_t start_;
+};
+
+void move_positions(const PositionSource& positions, const Box& box, AtomBlock& block,
+                    const std::function<Moves(const std::string&)>& moves_of) {
+  const std::array<Moves, 3> moves{moves_of(positions.columns[0]), moves_of(positions.columns[1]),
+                                   moves_of(positions.columns[2])};
+  const auto x = block.make_real("x"), y = block.make_real("y"), z = block.make_real("z");
+  std::array<std::span<const double>, 3> raw{x, y, z};
+  if (positions.columns[0] != "x")
+    for (std::size_t k = 0; k < 3; ++k) raw[k] = block.real(positions.columns[k]);
+  for (std::size_t i = 0; i < block.atoms(); ++i) {
+    Eigen::Vector3d move;
+    for (std::size_t k = 0; k < 3; ++k) move[static_cast<int>(k)] = moves[k](i, raw[k][i]);
+    if (positions.scaled) move = box.edges * move;
+    x[i] += move.x();
+    y[i] += move.y();
+    z[i] += move.z();
+  }
+}
+
+}  // namespace
+
+void move_last_digits(const FrameSource& source, const Chunk& chunk, const FrameHeader& header,
+                      const ColumnSet& wanted, std::uint64_t seed, AtomBlock& block) {
+  const auto moves_of = [&](const std::string& column) {
+    return Moves(source, chunk, header.step, seed, column);
+  };
+  const auto positions = position_source(header.columns);
+  if (wanted.has("x") && positions) move_positions(*positions, header.box, block, moves_of);
+  for (const std::string& column : wanted.names()) {
+    if (column == "x" || column == "y" || column == "z" || is_integer_column(column)) continue;
+    const Moves moves = moves_of(column);
+    const auto values = block.make_real(column);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += moves(i, values[i]);
+  }
+}
+
+}  // namespace mdana

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "readers/byte_source.hpp"
+
+namespace mdana {
+
+/// Lines of a text, one by one or thousands at a time, with their numbers.
+class LineReader {
+ public:
+  explicit LineReader(std::unique_ptr<ByteSource> bytes);
+
+  /// The next line without its end (LF or CRLF), valid until the next call; nothing at the end of
+  /// the text. A last line without LF counts as cut off: see `unfinished`.
+  std::optional<std::string_view> line();
+
+  /// Moves up to `count` whole lines, ends included, to `into`. Returns how many.
+  std::size_t take(std::size_t count, std::vector<char>& into);
+
+  /// Passes over up to `count` whole lines. Returns how many.
+  std::size_t skip(std::size_t count);
+
+  std::uint64_t number() const { return number_; }  ///< of the line last delivered, from 1
+  bool unfinished() const { return unfinished_; }   ///< the text ended within a line
+
+  void mark();
+  void reset();
+
+  ByteSource& bytes() { return *bytes_; }
+
+ private:
+  bool refill();
+  template <class Sink>
+  std::size_t pass(std::size_t count, Sink&& sink);
+
+  std::unique_ptr<ByteSource> bytes_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;  ///< not yet delivered: buffer_[begin_, end_)
+  std::size_t end_ = 0;
+  std::uint64_t number_ = 0;
+  bool unfinished_ = false;
+  std::vector<char> marked_rest_;
+  std::uint64_t marked_number_ = 0;
+};
+
+}  // namespace mdana

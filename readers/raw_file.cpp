@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/raw_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include "readers/input_error.hpp"
+
+namespace mdana {
+namespace {
+
+InputError system_error(const std::filesystem::path& path, std::string_view doing) {
+  return InputError(fmt::format("{}: cannot {}: {}", path.string(), doing, std::strerror(errno)));
+}
+
+int open_for_reading(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw system_error(path, "open");
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) return descriptor;
+  ::close(descriptor);
+  throw InputError(fmt::format("{}: not a file; give the path of a dump", path.string()));
+}
+
+}  // namespace
+
+struct RawFile::Hash {
+  Hash() { XXH3_128bits_reset(state); }
+  ~Hash() { XXH3_freeState(state); }
+  Hash(const Hash&) = delete;
+  Hash& operator=(const Hash&) = delete;
+
+  XXH3_state_t* state = XXH3_createState();
+  std::uint64_t bytes = 0;  ///< hashed so far, from the start of the file
+};
+
+RawFile::RawFile(const std::filesystem::path& path)
+    : path_(path), descriptor_(open_for_reading(path)), hash_(std::make_unique<Hash>()) {}
+
+RawFile::~RawFile() { ::close(descriptor_); }
+
+void RawFile::seek(std::uint64_t position) {
+  if (position > hash_->bytes)
+    throw std::logic_error("RawFile::seek goes back only, else bytes would escape the hash");
+  position_ = position;
+}
+
+std::size_t RawFile::read(std::span<char> into) {
+  std::size_t got = 0;
+  while (got < into.size()) {
+    const ssize_t n = ::pread(descriptor_, into.data() + got, into.size() - got,
+                              static_cast<off_t>(position_ + got));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw system_error(path_, "read");
+    if (n == 0) break;
+    got += static_cast<std::size_t>(n);
+  }
+  if (position_ + got > hash_->bytes) {
+    const std::size_t known = hash_->bytes - position_;
+    XXH3_128bits_update(hash_->state, into.data() + known, got - known);
+    hash_->bytes = position_ + got;
+  }
+  position_ += got;
+  return got;
+}
+
+InputRecord RawFile::record() {
+  std::vector<char> rest(1 << 20);
+  position_ = hash_->bytes;
+  while (read(rest) == rest.size()) continue;
+  const XXH128_hash_t h = XXH3_128bits_digest(hash_->state);
+  return {path_.string(), hash_->bytes, fmt::format("xxh3:{:016x}{:016x}", h.high64, h.low64)};
+}
+
+}  // namespace mdana

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "readers/input_record.hpp"
+
+namespace mdana {
+
+/// The bytes of a file in their order, each hashed once as it is first read.
+class RawFile {
+ public:
+  /// Throws InputError if the file cannot be opened or is not a regular file or pipe.
+  explicit RawFile(const std::filesystem::path& path);
+  ~RawFile();
+  RawFile(const RawFile&) = delete;
+  RawFile& operator=(const RawFile&) = delete;
+
+  /// Bytes read; fewer than asked for only at the end of the file.
+  std::size_t read(std::span<char> into);
+
+  std::uint64_t position() const { return position_; }
+  void seek(std::uint64_t position);
+
+  /// Path, size and hash of the whole file; reads what has not been read yet.
+  InputRecord record();
+
+ private:
+  struct Hash;
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t position_ = 0;
+  std::unique_ptr<Hash> hash_;
+};
+
+}  // namespace mdana

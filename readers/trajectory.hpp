@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "readers/format.hpp"
+
+namespace mdana {
+
+/// Opens a dump of any known format for the wanted columns.
+/// Throws InputError if it is missing, empty or of no known format.
+std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
+                                             const ColumnSet& wanted);
+
+/// The name of the format that recognises the file; throws like open_trajectory.
+std::string_view format_of(const std::filesystem::path& path);
+
+/// The header of the first frame. Throws InputError if there is none.
+FrameHeader first_header(const std::filesystem::path& path);
+
+/// Calls `use(block)` for each block of the first frame in order; throws as reading does.
+template <class Use>
+FrameHeader for_first_frame(const std::filesystem::path& path, const ColumnSet& wanted, Use&& use) {
+  const auto source = open_trajectory(path, wanted);
+  FrameHeader header;
+  if (!source->next(header)) return header;
+  Chunk chunk;
+  AtomBlock block;
+  while (source->cut(chunk)) {
+    source->convert(chunk, block);
+    use(static_cast<const AtomBlock&>(block));
+  }
+  return header;
+}
+
+}  // namespace mdana
