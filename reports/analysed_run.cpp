@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/analysed_run.hpp"
+
+#include <chrono>
+
+#include "analyses/contact_radius.hpp"
+
+namespace mdana {
+namespace {
+
+/// A Hertz scene measures its own radius, so its delta counts from there.
+void fit_and_take_radius(AnalysedRun& result, const Run& run) {
+  require_equal_bodies(run, result.measured.swept.tables[0]);
+  result.hertz = fit_hertz_with_spread(hertz_data(result.curve), {});
+  if (!result.hertz->fit.fit.usable) return;
+  const double r = result.hertz->fit.radius.value;
+  result.radii = {{r, r}, "Hertz fit of this run"};
+  result.curve = touching_force_curve(run, result.measured.motion, result.source, 2 * r);
+}
+
+}  // namespace
+
+std::vector<NamedValue> AnalysedRun::numbers() const {
+  std::vector<NamedValue> all{{"F_max", curve.force_max},
+                              {"F_min_loading", curve.force_min_loading},
+                              {"delta_max", curve.delta_max},
+                              {"hysteresis_area", curve.hysteresis_area}};
+  if (contact.max.value > 0) {
+    all.push_back({"contact_radius.gyration.max", contact.max});
+    all.push_back({"contact_radius.gyration.at_delta_max", contact.at_delta_max});
+  }
+  if (hertz) {
+    all.push_back({"E_star", hertz->modulus});
+    all.push_back({"R", hertz->radius});
+  }
+  return all;
+}
+
+AnalysedRun analyse_run(const Run& run, const std::optional<Radii>& radii,
+                        const SweepOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  AnalysedRun result;
+  result.source = best_force_source(run);
+  result.radii = radii ? *radii : find_radii(run, {});
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_contact_radius({result.radii.value, half_layer(run, {})}));
+  result.measured = measure_motion(run, parts_for(result.source), std::move(analyses), options);
+  result.curve =
+      touching_force_curve(run, result.measured.motion, result.source, result.radii.sum());
+  result.contact = contact_radius_numbers(result.measured, result.contact_table());
+  if (!radii && run.scene.interaction == Interaction::hertz) fit_and_take_radius(result, run);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace mdana

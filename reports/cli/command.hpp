@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <boost/program_options.hpp>
+
+#include "analyses/table.hpp"
+#include "reports/document.hpp"
+#include "reports/run.hpp"
+
+namespace mdana::cli {
+
+/// What the program ends with.
+enum ExitCode {
+  done = 0,
+  failed = 1,
+  usage = 2,
+  damaged_input = 3,   ///< what could be computed is written
+  not_converged = 4,
+  resumable = 75,      ///< stopped by SIGTERM
+  interrupted = 130,   ///< stopped by SIGINT
+};
+
+/// The command line itself is wrong.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+using Options = boost::program_options::options_description;
+using Values = boost::program_options::variables_map;
+
+/// A subcommand: one file and one word in MDANA_COMMANDS in CMakeLists.txt; each defines
+/// `extern const Command <name>_command`. Help is printed from this table.
+struct Command {
+  std::string_view name;
+  std::string_view positional;  ///< "DUMP"
+  std::string_view summary;
+  std::string_view description;
+  std::string_view examples;    ///< one command line a line
+  void (*add_options)(Options& options);
+  int (*run)(const Values& values);
+};
+
+/// All subcommands of this build.
+std::span<const Command* const> commands();
+
+/// Options that say what a dump does not: --scene --units --masses --bodies --radius --timestep.
+void add_run_options(Options& options);
+RunOptions run_options(const Values& values);
+
+/// Options of every command that measures: --json, -o, --stride, --memory.
+void add_output_options(Options& options, bool table);
+SweepOptions sweep_options(const Values& values);
+
+/// Refuses an -o that cannot be written (unknown suffix, no table for CSV) before work begins.
+void check_output(const Values& values);
+
+/// Prints the document (text, or JSON with --json) and writes -o; the exit code that follows from
+/// the document.
+int emit(const Values& values, const Document& document, const Table* table);
+
+/// The value of an option that must be one of a list. Throws UsageError.
+std::size_t choice(const Values& values, const std::string& option,
+                   std::span<const std::string_view> names);
+
+}  // namespace mdana::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "readers/input_error.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/measured.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::array<std::string_view, 4> source_names{"auto", "forces", "velocities", "positions"};
+
+ForceSource wanted_source(const Values& values, const Run& run) {
+  const std::size_t k = choice(values, "source", source_names);
+  return k == 0 ? best_force_source(run) : static_cast<ForceSource>(k - 1);
+}
+
+/// Velocities are read wherever the dump has them, for v; forces only if asked for.
+MotionParts parts(const Run& run, ForceSource source, bool compare) {
+  const bool forces = source == ForceSource::forces || (compare && run.first.has_column("fx"));
+  return {run.first.has_column("vx") || source == ForceSource::velocities, forces};
+}
+
+/// Root mean square difference of the other sources' forces from the chosen one, in contact.
+void add_comparison(Document& document, const Run& run, const RelativeMotion& motion,
+                    const ForceCurve& curve, ForceSource chosen, Table& table) {
+  auto all = nlohmann::ordered_json::object();
+  for (const ForceSource source :
+       {ForceSource::forces, ForceSource::velocities, ForceSource::positions}) {
+    if (!motion.can_give(source)) {
+      document.left_out(fmt::format("force from {}", name(source)), "not in the dump");
+      continue;
+    }
+    const std::vector<double> force = interparticle_force(motion, source, run.units);
+    double sum = 0;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      if (curve.phase[i] == Phase::loading || curve.phase[i] == Phase::unloading) {
+        sum += (force[i] - curve.force[i]) * (force[i] - curve.force[i]);
+        ++n;
+      }
+    const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n, 1)));
+    const double share = rms / curve.force_max.value;
+    all[std::string(name(source))] = {{"rms_difference", rms}, {"share_of_F_max", share}};
+    if (source != chosen) {
+      document.line(fmt::format("F from {}", name(source)),
+                    fmt::format("differs by {:.3g} % of F_max (rms in contact)", 100 * share));
+      table.add_column({fmt::format("F_{}", name(source)), dimension::force}, force);
+    }
+  }
+  document.json("sources", std::move(all));
+}
+
+void add_options(Options& options) {
+  add_run_options(options);
+  options.add_options()                                                                     //
+      ("source", po::value<std::string>()->default_value("auto")->value_name("NAME"),
+       "force from: forces (sum of fx fy fz), velocities (m* dv/dt), positions (m* d2x/dt2), or "
+       "auto, the best that the dump has")                                                  //
+      ("compare", po::bool_switch(), "compare all sources that the dump has");
+  add_output_options(options, true);
+}
+
+int run_command(const Values& values) {
+  check_output(values);
+  const RunOptions options = run_options(values);
+  const SweepOptions sweeping = sweep_options(values);
+  const Run run = prepare_run(options);
+  require_two_bodies(run);
+  const bool compare = values["compare"].as<bool>();
+  const ForceSource source = wanted_source(values, run);
+  const Radii radii = find_radii(run, options);
+  const MeasuredMotion measured = measure_motion(run, parts(run, source, compare), {}, sweeping);
+  const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii.sum());
+
+  Document document("force", run);
+  document.sweep(run, measured.swept);
+  add_force(document, curve, source, radii);
+  warn_of_force(document, curve);
+  Table table = force_table(curve, measured.motion);
+  if (compare) add_comparison(document, run, measured.motion, curve, source, table);
+  return emit(values, document, &table);
+}
+
+}  // namespace
+
+extern const Command force_command;
+const Command force_command{
+    "force",
+    "DUMP",
+    "force between the bodies, phases, hysteresis",
+    "Centre of mass and velocity of each body, the force between them, F against the mutual\n"
+    "approach delta = R1 + R2 - X, its loading and unloading phases and the area of the loop.\n"
+    "F > 0 is repulsive, v = d delta/dt > 0 is approach. The table (-o FILE.csv) has a row a frame.",
+    "  mdana force sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
+    "  mdana force dump.lammpstrj --units lj --timestep 0.005 --radius 29.6 -o force.csv\n"
+    "  mdana force run/dump.lammpstrj.gz --compare --json",
+    add_options,
+    run_command};
+
+}  // namespace mdana::cli

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "analyses/sweep.hpp"
+#include "readers/input_error.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/cli/signals.hpp"
+#include "reports/version.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+std::string overview() {
+  std::string text = fmt::format(
+      "mdana {}: contact mechanics out of molecular-dynamics dumps of colliding particles\n\n"
+      "usage: mdana COMMAND [options] INPUT\n\ncommands:\n", version);
+  for (const Command* c : commands()) text += fmt::format("  {:<16}{}\n", c->name, c->summary);
+  text += "\nmdana COMMAND --help tells the options of a command and shows examples.\n"
+          "exit codes: 0 done, 1 failed, 2 usage, 3 damaged input (what could be computed is "
+          "written),\n4 not converged, 75 stopped by SIGTERM, 130 interrupted\n";
+  return text;
+}
+
+Options all_options(const Command& command) {
+  Options options("options", 100, 50);
+  command.add_options(options);
+  options.add_options()("help,h", po::bool_switch(), "print this help");
+  return options;
+}
+
+std::string help(const Command& command) {
+  std::ostringstream options;
+  options << all_options(command);
+  return fmt::format("usage: mdana {} [options] {}\n\n{}\n\n{}\nexamples:\n{}\n", command.name,
+                     command.positional, command.description, options.str(), command.examples);
+}
+
+const Command* find(std::string_view name) {
+  for (const Command* c : commands())
+    if (c->name == name) return c;
+  return nullptr;
+}
+
+Values parse(const Command& command, int argc, char** argv) {
+  Options visible = all_options(command);
+  Options all;
+  all.add(visible).add_options()("input", po::value<std::string>());
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  Values values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+  po::notify(values);
+  return values;
+}
+
+int run(const Command& command, int argc, char** argv) {
+  const Values values = parse(command, argc, argv);
+  if (values["help"].as<bool>()) {
+    std::cout << help(command);
+    return done;
+  }
+  if (!values.count("input"))
+    throw UsageError(fmt::format("{} is missing", command.positional));
+  catch_signals();
+  return command.run(values);
+}
+
+int report_usage(std::string_view command, std::string_view what) {
+  std::cerr << fmt::format("mdana: {}\nTry: mdana {}{}--help\n", what, command,
+                           command.empty() ? "" : " ");
+  return usage;
+}
+
+int report_failure(std::string_view what, int code) {
+  end_progress();
+  std::cerr << "mdana: " << what << "\n";
+  return code;
+}
+
+/// Runs the program and turns every way to end into an exit code.
+int main_guarded(int argc, char** argv) {
+  const std::string_view name = argc > 1 ? argv[1] : "";
+  if (name.empty()) return report_usage("", "a command is missing");
+  if (name == "--help" || name == "-h" || name == "help") {
+    std::cout << overview();
+    return done;
+  }
+  if (name == "--version") {
+    std::cout << "mdana " << version << "\n";
+    return done;
+  }
+  const Command* command = find(name);
+  if (!command) return report_usage("", fmt::format("there is no command '{}'", name));
+  try {
+    const int code = run(*command, argc - 1, argv + 1);
+    end_progress();
+    return code;
+  } catch (const po::error& e) {
+    return report_usage(name, e.what());
+  } catch (const UsageError& e) {
+    return report_usage(name, e.what());
+  } catch (const Interrupted& e) {
+    return report_failure("stopped; nothing was written",
+                          e.signal == SIGTERM ? resumable : interrupted);
+  } catch (const std::exception& e) {
+    return report_failure(e.what(), failed);
+  }
+}
+
+}  // namespace
+}  // namespace mdana::cli
+
+int main(int argc, char** argv) { return mdana::cli::main_guarded(argc, argv); }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "reports/atomic_file.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/cli/signals.hpp"
+#include "reports/csv.hpp"
+#include "reports/output_directory.hpp"
+#include "reports/study.hpp"
+#include "reports/study_figures.hpp"
+#include "reports/study_json.hpp"
+#include "reports/study_page.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+void add_options(Options& options) {
+  options.add_options()                                                                          //
+      ("output,o", po::value<std::string>()->value_name("OUT")->required(),
+       "directory to make: index.html, results.json, tables, figures")                           //
+      ("memory", po::value<long>()->default_value(128)->value_name("MB"),
+       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice") //
+      ("json", po::bool_switch(), "print results.json on the standard output");
+}
+
+void write_tables(const Study& study, const std::filesystem::path& directory) {
+  for (const StudyRun& entry : study.runs) {
+    if (!entry.result) continue;
+    Table table = force_table(entry.result->curve, entry.result->measured.motion);
+    const auto a = entry.result->contact_table().column("contact_radius");
+    table.add_column({"contact_radius", dimension::length}, {a.begin(), a.end()});
+    write_file(directory / (file_name(entry.name) + ".csv"), to_csv(table));
+  }
+}
+
+int exit_code(const Study& study) {
+  int code = done;
+  for (const StudyRun& entry : study.runs) {
+    if (!entry.result) return failed;
+    if (!entry.result->measured.swept.damage.empty()) code = damaged_input;
+  }
+  return code;
+}
+
+int run_command(const Values& values) {
+  SweepOptions sweeping;
+  if (values["memory"].as<long>() < 1) throw UsageError("--memory must be at least 1");
+  sweeping.memory = static_cast<std::size_t>(values["memory"].as<long>()) << 20;
+  sweeping.stop = &stop_signal();
+  const std::filesystem::path place = values["output"].as<std::string>();
+  Study study = find_study(values["input"].as<std::string>());
+  OutputDirectory output(place);
+
+  analyse_study(study, sweeping, [](const std::string& what) { std::cerr << what << "\n"; });
+  std::filesystem::create_directory(output.path() / "figures");
+  write_tables(study, output.path());
+  const std::string json = study_json(study).dump(2) + "\n";
+  write_file(output.path() / "results.json", json);
+  write_file(output.path() / "index.html", study_page(study, output.path() / "figures"));
+  output.commit();
+
+  for (const StudyRun& entry : study.runs)
+    if (!entry.result) std::cerr << fmt::format("{}: failed: {}\n", entry.name, entry.failure);
+  if (values["json"].as<bool>())
+    std::cout << json << std::flush;
+  else
+    std::cout << (place / "index.html").string() << "\n" << std::flush;
+  return exit_code(study);
+}
+
+}  // namespace
+
+extern const Command report_command;
+const Command report_command{
+    "report",
+    "DIR",
+    "one page on all runs in a directory",
+    "Analyses every run (a scene.toml in DIR or one level below, with its dump) and writes one page\n"
+    "with figures, tables, error against run time, numerical stability, and what was left out.",
+    "  mdana report sample-data -o report\n"
+    "  mdana report runs -o runs-report --json",
+    add_options,
+    run_command};
+
+}  // namespace mdana::cli

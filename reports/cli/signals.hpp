@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace mdana::cli {
+
+/// Set to the signal number by SIGINT and SIGTERM after `catch_signals`; the second one of a kind
+/// ends the program at once.
+const std::atomic<int>& stop_signal();
+void catch_signals();
+
+/// Prints "frames read" on a terminal a few times a second; nothing if the standard error is none.
+std::function<void(std::uint64_t frames)> progress_printer();
+
+/// Clears the progress line.
+void end_progress();
+
+}  // namespace mdana::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/version.hpp"
+
+namespace mdana {
+namespace {
+
+/// "contact_radius.gyration.max" as the JSON pointer "/contact_radius/gyration/max".
+nlohmann::ordered_json::json_pointer pointer(std::string_view name) {
+  std::string path = "/" + std::string(name);
+  std::replace(path.begin(), path.end(), '.', '/');
+  return nlohmann::ordered_json::json_pointer(path);
+}
+
+/// Decimals so that the error shows two digits.
+int decimals(double error) {
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 15);
+}
+
+}  // namespace
+
+std::string to_text(const Value& v, Units units) {
+  const std::string unit = symbol(units, v.dimension);
+  const std::string tail = unit.empty() ? "" : " " + unit;
+  if (!v.error) return fmt::format("{:.6g}{}", v.value, tail);
+  const double size = std::abs(v.value);
+  if (*v.error > 0 && size < 1e6 && size >= 1e-4) {
+    const int d = decimals(*v.error);
+    return fmt::format("{:.{}f} ± {:.{}f}{}", v.value, d, *v.error, d, tail);
+  }
+  return fmt::format("{:.6g} ± {:.2g}{}", v.value, *v.error, tail);
+}
+
+nlohmann::ordered_json to_json(const Value& v) {
+  nlohmann::ordered_json json;
+  json["value"] = v.value;
+  json["error"] = v.error ? nlohmann::ordered_json(*v.error) : nlohmann::ordered_json(nullptr);
+  return json;
+}
+
+Document::Document(std::string_view command, const Run& run) : units_(run.units) {
+  root_["command"] = command;
+  root_["mdana_version"] = version;
+  root_["units"] = name(run.units);
+  root_["units_source"] = run.units_source;
+  root_["inputs"] = nlohmann::ordered_json::array();
+  root_["scene"] = run.scene.file.empty() ? nlohmann::ordered_json(nullptr)
+                                          : nlohmann::ordered_json(run.scene.file.string());
+  root_["bodies"] = run.bodies.rule();
+  root_["masses_source"] = run.masses.source();
+  line("dump", run.dump.string());
+  line("units", fmt::format("{} (from the {})", name(run.units), run.units_source));
+  line("bodies", run.bodies.rule());
+  line("masses", run.masses.source());
+  warnings_ = run.warnings;
+}
+
+void Document::number(std::string_view name, const Value& value) {
+  root_[pointer(name)] = mdana::to_json(value);
+  line(std::string(name), to_text(value, units_));
+}
+
+void Document::text(std::string_view name, const std::string& value) {
+  root_[pointer(name)] = value;
+  line(std::string(name), value);
+}
+
+void Document::json(std::string_view name, nlohmann::ordered_json value) {
+  root_[pointer(name)] = std::move(value);
+}
+
+void Document::line(std::string label, std::string text) {
+  lines_.emplace_back(std::move(label), std::move(text));
+}
+
+void Document::warn(std::string warning) { warnings_.push_back(std::move(warning)); }
+
+void Document::left_out(std::string what, std::string reason) {
+  root_["left_out"].push_back({{"what", std::move(what)}, {"reason", std::move(reason)}});
+}
+
+void Document::sweep(const Run& run, const SweepResult& swept) {
+  root_["inputs"].push_back({{"path", swept.input.path},
+                             {"size", swept.input.size},
+                             {"hash", swept.input.hash},
+                             {"format", run.format}});
+  root_["frames"] = swept.steps.size();
+  root_["seconds"] = swept.seconds;
+  line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));
+  if (swept.positions_may_jump)
+    warn("positions are wrapped at periodic faces and there are no image flags: a body that crosses "
+         "a face gives wrong numbers; dump xu yu zu, or ix iy iz besides");
+  if (!swept.damage.empty()) {
+    damaged_ = true;
+    warn("damaged input: " + swept.damage +
+         fmt::format("; the results are from the {} whole frames before it", swept.steps.size()));
+  }
+}
+
+nlohmann::ordered_json Document::content() const {
+  nlohmann::ordered_json all = root_;
+  all["warnings"] = warnings_;
+  return all;
+}
+
+std::string Document::to_json() const { return content().dump(2) + "\n"; }
+
+std::string Document::to_terminal() const {
+  std::size_t width = 0;
+  for (const auto& [label, text] : lines_) width = std::max(width, label.size());
+  std::string out;
+  for (const auto& [label, text] : lines_) out += fmt::format("{:<{}}  {}\n", label, width, text);
+  for (const std::string& w : warnings_) out += fmt::format("warning: {}\n", w);
+  return out;
+}
+
+}  // namespace mdana

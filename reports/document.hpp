@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analyses/sweep.hpp"
+#include "analyses/value.hpp"
+#include "readers/units.hpp"
+#include "reports/run.hpp"
+
+namespace mdana {
+
+/// "12.34 ± 0.05 ε/σ": as many digits as the error leaves, or six without an error.
+std::string to_text(const Value& value, Units units);
+
+/// The result of a command: one JSON document, and the same as lines for a terminal. A name with
+/// dots ("contact_radius.gyration.max") makes nested objects.
+class Document {
+ public:
+  /// Starts with mdana_version, command, units and inputs.
+  Document(std::string_view command, const Run& run);
+
+  void number(std::string_view name, const Value& value);       ///< {value, error}
+  void text(std::string_view name, const std::string& value);
+  void json(std::string_view name, nlohmann::ordered_json value);  ///< not shown on a terminal
+  void line(std::string label, std::string text);                  ///< shown on a terminal only
+
+  void warn(std::string warning);
+  void left_out(std::string what, std::string reason);
+
+  /// Adds what a sweep says of itself: input, seconds, damage and other warnings.
+  void sweep(const Run& run, const SweepResult& swept);
+
+  Units units() const { return units_; }
+  bool damaged() const { return damaged_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  std::string to_json() const;      ///< indented, one trailing newline
+  std::string to_terminal() const;  ///< aligned lines, then warnings
+  nlohmann::ordered_json content() const;
+
+ private:
+  Units units_;
+  nlohmann::ordered_json root_;
+  std::vector<std::pair<std::string, std::string>> lines_;
+  std::vector<std::string> warnings_;
+  bool damaged_ = false;
+};
+
+/// {"value": ..., "error": ... or null}.
+nlohmann::ordered_json to_json(const Value& value);
+
+}  // namespace mdana

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/fitted.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analyses/motion.hpp"
+#include "readers/input_error.hpp"
+
+namespace mdana {
+namespace {
+
+constexpr double equal_bodies = 0.01;
+
+bool differ(double a, double b) { return std::abs(a - b) > equal_bodies * std::max(a, b); }
+
+Value with_spread(const Value& value, const Spread& spread) {
+  return {value.value, std::max(*value.error, spread.deviation), value.dimension};
+}
+
+nlohmann::ordered_json with_details(const Value& value, const Value& fitted, const Spread& spread,
+                                    std::size_t variants) {
+  auto json = to_json(value);
+  json["standard_error"] = *fitted.error;
+  json["spread"] = {{"min", spread.least},
+                    {"max", spread.greatest},
+                    {"deviation", spread.deviation},
+                    {"variants", variants}};
+  return json;
+}
+
+}  // namespace
+
+HertzData hertz_data(const ForceCurve& curve) {
+  const std::size_t turn =
+      curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles.front().turn;
+  return {curve.distance, curve.force, turn};
+}
+
+HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings) {
+  HertzResult result{fit_hertz(data, settings), {}, {}, {}};
+  result.spread = hertz_spread(data, result.fit);
+  result.modulus = with_spread(result.fit.modulus, result.spread.modulus);
+  result.radius = with_spread(result.fit.radius, result.spread.radius);
+  return result;
+}
+
+void require_equal_bodies(const Run& run, const Table& motion) {
+  const auto [a, b] = body_motion(motion, 0);
+  const auto& radii = run.scene.radii;
+  if (differ(a.mass, b.mass) || (radii.size() == 2 && differ(radii[0], radii[1])))
+    throw InputError(fmt::format("{}: the bodies differ (masses {:.6g} and {:.6g}); fit-hertz fits "
+                                 "one radius for two equal bodies", run.dump.string(), a.mass,
+                                 b.mass));
+}
+
+void add_hertz(Document& document, const Run& run, const HertzResult& hertz) {
+  const HertzSettings& s = hertz.fit.settings;
+  const std::size_t variants = hertz.spread.variants.size();
+  document.line("E_star", to_text(hertz.modulus, run.units));
+  document.line("R", to_text(hertz.radius, run.units));
+  document.json("E_star", with_details(hertz.modulus, hertz.fit.modulus, hertz.spread.modulus,
+                                       variants));
+  document.json("R", with_details(hertz.radius, hertz.fit.radius, hertz.spread.radius, variants));
+  document.line("errors", fmt::format("spread over {} choices of method, range and phase; E_star "
+                                      "{:.4g} to {:.4g}, R {:.6g} to {:.6g}", variants,
+                                      hertz.spread.modulus.least, hertz.spread.modulus.greatest,
+                                      hertz.spread.radius.least, hertz.spread.radius.greatest));
+  document.line("standard errors",
+                fmt::format("{:.2g} and {:.2g}, correlation {:.3f}", *hertz.fit.modulus.error,
+                            *hertz.fit.radius.error, hertz.fit.correlation));
+  document.json("correlation", hertz.fit.correlation);
+  document.text("method", std::string(name(s.method)));
+  document.json("min_force_fraction", s.min_force_fraction);
+  document.json("max_force_fraction", s.max_force_fraction);
+  document.text("phase", std::string(name(s.phase)));
+  document.json("loss", name(s.loss));
+  document.json("points", hertz.fit.points.size());
+  document.line("points", fmt::format("{} with {} <= F/F_max <= {}", hertz.fit.points.size(),
+                                      s.min_force_fraction, s.max_force_fraction));
+  document.json("rms_residual", hertz.fit.rms_residual);
+  document.line("rms residual", fmt::format("{:.3g} of F_max", hertz.fit.rms_residual));
+  document.json("digits", hertz.fit.fit.digits);
+  document.line("digits of the optimum", fmt::format("{:.1f}", hertz.fit.fit.digits));
+  document.json("condition", hertz.fit.fit.condition);
+  document.json("fit_seconds", hertz.fit.fit.seconds);
+  document.json("usable", hertz.fit.fit.usable);
+  document.json("reason", hertz.fit.fit.reason);
+  if (!hertz.fit.fit.usable) document.warn("the fit is not usable: " + hertz.fit.fit.reason);
+  if (run.scene.interaction == Interaction::adhesive)
+    document.warn("the scene is adhesive: Hertz's law has no adhesion, E_star and R describe the "
+                  "repulsive part of the force only roughly");
+}
+
+double fitted_force(const HertzFit& fit, double distance) {
+  const double overlap = std::max(0.0, 2 * fit.radius.value - distance);
+  return 4.0 / 3.0 * fit.modulus.value * std::sqrt(0.5 * fit.radius.value) * overlap *
+         std::sqrt(overlap);
+}
+
+Table hertz_table(const HertzResult& hertz, const ForceCurve& curve) {
+  Table table({{"frame", dimension::none},
+               {"X", dimension::length},
+               {"F", dimension::force},
+               {"F_fit", dimension::force},
+               {"residual", dimension::force}});
+  for (const std::size_t i : hertz.fit.points) {
+    const double model = fitted_force(hertz.fit, curve.distance[i]);
+    table.add_row(std::array{static_cast<double>(i), curve.distance[i], curve.force[i], model,
+                             curve.force[i] - model});
+  }
+  return table;
+}
+
+}  // namespace mdana

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "analyses/force_curve.hpp"
+#include "analyses/relative_motion.hpp"
+#include "analyses/sweep.hpp"
+#include "reports/document.hpp"
+#include "reports/run.hpp"
+
+namespace mdana {
+
+/// The bodies' motion of a run, with the tables of other analyses from the same pass.
+struct MeasuredMotion {
+  SweepResult swept;  ///< tables: motion first, then the others in their order
+  RelativeMotion motion;
+};
+
+/// One pass over the dump. Throws InputError also if there are fewer than two frames.
+MeasuredMotion measure_motion(const Run& run, MotionParts parts,
+                              std::vector<std::unique_ptr<Analysis>> others,
+                              const SweepOptions& options);
+
+/// Force curve of a measured motion; throws InputError if the bodies never touch.
+ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
+                                double radius_sum);
+
+/// Contact radius [length] of every frame: greatest, at greatest delta, at the end.
+struct ContactRadiusNumbers {
+  Value max, at_delta_max, end;
+};
+ContactRadiusNumbers contact_radius_numbers(const MeasuredMotion& measured, const Table& radii);
+
+/// Numbers and sources of a force curve under the names that other programs rely on.
+void add_force(Document& document, const ForceCurve& curve, ForceSource source,
+               const Radii& radii);
+
+/// Warns where the numbers of a force curve do not mean what they seem to.
+void warn_of_force(Document& document, const ForceCurve& curve);
+
+/// The same names and numbers for the contact radius.
+void add_contact_radius(Document& document, const ContactRadiusNumbers& numbers,
+                        double half_layer);
+
+}  // namespace mdana

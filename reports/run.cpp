@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/run.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analyses/gyration.hpp"
+#include "readers/input_error.hpp"
+#include "readers/positions.hpp"
+#include "readers/trajectory.hpp"
+
+namespace mdana {
+namespace {
+
+struct StatedUnits {
+  Units units;
+  std::string source;
+};
+
+StatedUnits find_units(const RunOptions& options, const FrameHeader& first, const Scene& scene) {
+  std::optional<Units> stated;
+  if (!options.units.empty()) {
+    stated = parse_units(options.units);
+    if (!stated)
+      throw InputError(fmt::format("unknown units '{}' (known: {})", options.units, units_names()));
+    if (first.units && *first.units != *stated)
+      throw InputError(fmt::format("{}: the dump states units {}, not {}", first.place,
+                                   name(*first.units), options.units));
+    return {*stated, "option"};
+  }
+  if (first.units && scene.units && *first.units != *scene.units)
+    throw InputError(fmt::format("{}: the dump states units {}, {} states {}", first.place,
+                                 name(*first.units), scene.file.string(), name(*scene.units)));
+  if (first.units) return {*first.units, "dump"};
+  if (scene.units) return {*scene.units, "scene"};
+  throw InputError(fmt::format("{}: the dump does not state its units; add --units NAME (one of {}) "
+                               "or a scene file", options.dump.string(), units_names()));
+}
+
+Masses find_masses(const RunOptions& options, const FrameHeader& first, const Scene& scene,
+                   Units units, std::vector<std::string>& warnings) {
+  const auto need_type = [&](const char* source) {
+    if (!first.has_column("type"))
+      throw InputError(fmt::format("{}: masses by type from the {}, but no column 'type'",
+                                   first.place, source));
+  };
+  if (!options.masses.empty()) {
+    need_type("option");
+    return Masses::by_type(parse_masses(options.masses), "option");
+  }
+  if (first.has_column("mass")) return Masses::from_column("dump");
+  if (!scene.masses.empty()) {
+    need_type("scene file");
+    return Masses::by_type(scene.masses, "scene");
+  }
+  if (units == Units::lj) {
+    warnings.push_back("no masses are stated: every atom has mass 1 (lj units)");
+    return Masses::uniform("1 for every atom (assumed, lj units)");
+  }
+  throw InputError(fmt::format("{}: no masses; add --masses TYPE=MASS,... or a scene file, or dump "
+                               "the column 'mass'", options.dump.string()));
+}
+
+double positive_number(std::string_view text, const std::string& option) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) ||
+      !std::isfinite(value))
+    throw InputError(fmt::format("radius '{}': R or R1,R2 expected, greater than zero", option));
+  return value;
+}
+
+std::array<double, 2> parse_radii(const std::string& text) {
+  const std::string_view view(text);
+  const std::size_t comma = view.find(',');
+  if (comma == std::string_view::npos) {
+    const double r = positive_number(view, text);
+    return {r, r};
+  }
+  return {positive_number(view.substr(0, comma), text),
+          positive_number(view.substr(comma + 1), text)};
+}
+
+Radii gyration_radii(const Run& run) {
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_motion({}));  // first: it checks that both bodies are there
+  analyses.push_back(make_gyration());
+  SweepOptions options;
+  options.frames = 1;
+  const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
+  return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
+          "sqrt(5/3) r_g of the first frame"};
+}
+
+}  // namespace
+
+Run prepare_run(const RunOptions& options) {
+  FrameHeader first = first_header(options.dump);
+  if (first.atoms == 0)
+    throw InputError(fmt::format("{}: the first frame has no atoms", first.place));
+  Scene scene = options.scene.empty() ? scene_beside(options.dump) : load_scene(options.scene);
+  if (!position_source(first.columns))
+    throw InputError(fmt::format("{}: no position columns (x y z, xs, xu or xsu) in the dump; it has "
+                                 "{}", first.place, fmt::join(first.columns, " ")));
+  const StatedUnits units = find_units(options, first, scene);
+  std::vector<std::string> warnings;
+  Masses masses = find_masses(options, first, scene, units.units, warnings);
+  const bool own_rule = !options.bodies.empty();
+  Bodies bodies = find_bodies(options.dump, first, own_rule ? options.bodies : scene.bodies);
+  const auto timestep = options.timestep ? options.timestep : scene.timestep;
+  const std::string timestep_source =
+      first.time ? "dump" : options.timestep ? "option" : scene.timestep ? "scene" : "unknown";
+  return {options.dump, format_of(options.dump), std::move(first), std::move(scene), units.units,
+          units.source, timestep, timestep_source, std::move(masses), std::move(bodies),
+          std::move(warnings)};
+}
+
+void require_two_bodies(const Run& run) {
+  if (run.bodies.count() == 2) return;
+  throw InputError(fmt::format("{}: {} {} found by {}; exactly two are needed. Try another --bodies "
+                               "(type, mol, clusters, id:FIRST-LAST)", run.dump.string(),
+                               run.bodies.count(), run.bodies.count() == 1 ? "body" : "bodies",
+                               run.bodies.rule()));
+}
+
+Radii find_radii(const Run& run, const RunOptions& options) {
+  if (!options.radius.empty()) return {parse_radii(options.radius), "option"};
+  if (run.scene.radii.size() == 2) {
+    const std::string& how = run.scene.radius_definition;
+    return {{run.scene.radii[0], run.scene.radii[1]},
+            how.empty() ? "scene" : fmt::format("scene ({} radius)", how)};
+  }
+  return gyration_radii(run);
+}
+
+double half_layer(const Run& run, std::optional<double> thickness) {
+  if (thickness) return 0.5 * *thickness;
+  if (run.scene.sigma) return 0.5 * *run.scene.sigma;
+  if (run.units == Units::lj) return 0.5;
+  throw InputError(fmt::format("{}: the thickness of the contact layer is one sigma of the "
+                               "potential, which is not known; add --layer LENGTH or sigma in the "
+                               "scene file", run.dump.string()));
+}
+
+std::vector<double> frame_times(const Run& run, const SweepResult& swept) {
+  if (!swept.stated_times.empty()) return swept.stated_times;
+  std::vector<double> times;
+  if (!run.timestep) return times;
+  for (const std::int64_t step : swept.steps)
+    times.push_back(static_cast<double>(step) * *run.timestep);
+  return times;
+}
+
+ForceSource best_force_source(const Run& run) {
+  const auto has_all = [&](std::initializer_list<const char*> names) {
+    for (const char* n : names)
+      if (!run.first.has_column(n)) return false;
+    return true;
+  };
+  if (has_all({"fx", "fy", "fz"})) return ForceSource::forces;
+  if (!run.first.time && !run.timestep)
+    throw InputError(fmt::format("{}: without forces (fx fy fz) the force is a derivative by time, "
+                                 "and the time between frames is unknown; add --timestep DT, or dump "
+                                 "with 'dump_modify time yes'", run.dump.string()));
+  return has_all({"vx", "vy", "vz"}) ? ForceSource::velocities : ForceSource::positions;
+}
+
+MotionParts parts_for(ForceSource source) {
+  return {source == ForceSource::velocities, source == ForceSource::forces};
+}
+
+}  // namespace mdana

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyses/motion.hpp"
+#include "analyses/relative_motion.hpp"
+#include "analyses/sweep.hpp"
+#include "readers/bodies.hpp"
+#include "readers/masses.hpp"
+#include "readers/scene.hpp"
+
+namespace mdana {
+
+/// What the user says of a run; whatever is missing comes from the scene file or the dump.
+struct RunOptions {
+  std::filesystem::path dump;
+  std::filesystem::path scene;      ///< empty: scene.toml beside the dump, if it names it
+  std::string units;                ///< LAMMPS name
+  std::string masses;               ///< TYPE=MASS,...
+  std::string bodies;               ///< rule, see find_bodies
+  std::string radius;               ///< R or R1,R2 [length]
+  std::optional<double> timestep;   ///< [time]
+};
+
+/// A dump with everything that is needed to analyse it, and where each of it came from.
+struct Run {
+  std::filesystem::path dump;
+  std::string_view format;
+  FrameHeader first;
+  Scene scene;
+  Units units;
+  std::string units_source;
+  std::optional<double> timestep;
+  std::string timestep_source;
+  Masses masses;
+  Bodies bodies;
+  std::vector<std::string> warnings;
+};
+
+/// Radii of body 1 and 2 and where they come from.
+struct Radii {
+  std::array<double, 2> value;
+  std::string source;
+  double sum() const { return value[0] + value[1]; }
+};
+
+/// Looks at the first frame and settles units, time step, masses and bodies.
+/// Throws InputError naming what is missing and the option that supplies it.
+Run prepare_run(const RunOptions& options);
+
+/// Throws InputError unless the run has exactly two bodies.
+void require_two_bodies(const Run& run);
+
+/// Radii from the option, else the scene file, else sqrt(5/3) r_g in the first frame.
+Radii find_radii(const Run& run, const RunOptions& options);
+
+/// Layer half thickness for the contact radius: half the given thickness, else half of the scene's
+/// sigma, else 0.5 in lj units. Throws InputError if none is known.
+double half_layer(const Run& run, std::optional<double> thickness);
+
+/// Times of the frames: as stated by the dump, else steps times the time step, else empty.
+std::vector<double> frame_times(const Run& run, const SweepResult& swept);
+
+/// The best force source that the dump allows.
+ForceSource best_force_source(const Run& run);
+
+/// What the motion analysis has to read for a force source.
+MotionParts parts_for(ForceSource source);
+
+}  // namespace mdana

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdana {
+
+std::vector<StabilityRow> stability_rows(const Run& run, const AnalysedRun& full,
+                                         const SweepOptions& options) {
+  std::vector<StabilityRow> rows;
+  for (const NamedValue& number : full.numbers()) rows.push_back({number.name, number.value.value});
+  for (int seed = 1; seed <= stability_repetitions; ++seed) {
+    SweepOptions moved = options;
+    moved.last_digit_seed = static_cast<std::uint64_t>(seed);
+    const auto radii = full.hertz ? std::nullopt : std::optional(full.radii);
+    const std::vector<NamedValue> numbers = analyse_run(run, radii, moved).numbers();
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k].change = std::max(rows[k].change, std::abs(numbers[k].value.value - rows[k].value));
+  }
+  for (StabilityRow& row : rows)
+    row.digits = row.change == 0
+                     ? 15.0
+                     : std::clamp(-std::log10(row.change / std::abs(row.value)), 0.0, 15.0);
+  return rows;
+}
+
+}  // namespace mdana

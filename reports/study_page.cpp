@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/study_page.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "page_style.hpp"
+#include "reports/html.hpp"
+#include "reports/study_figures.hpp"
+#include "reports/version.hpp"
+
+namespace mdana {
+namespace {
+
+using html::element;
+using html::escape;
+using html::heading;
+using html::paragraph;
+
+std::string sentence(const StudyRun& entry) {
+  const ForceCurve& curve = entry.result->curve;
+  const Units units = entry.run->units;
+  const std::string how = curve.outcome == Outcome::bounce ? "The bodies met and separated."
+                          : curve.outcome == Outcome::stick
+                              ? "The bodies met and stuck."
+                              : "The dump ends before it is clear whether the bodies stick.";
+  return fmt::format("{} Greatest force {}, greatest mutual approach {}, loop area of the first "
+                     "cycle {}. Errors of the force numbers come from halving the number of frames.",
+                     how, to_text(curve.force_max, units), to_text(curve.delta_max, units),
+                     to_text(curve.hysteresis_area, units));
+}
+
+std::string summary_table(const Study& study) {
+  std::vector<std::vector<std::string>> rows;
+  for (const StudyRun& entry : study.runs) {
+    if (!entry.result) {
+      rows.push_back({entry.name, "failed: " + entry.failure});
+      continue;
+    }
+    const AnalysedRun& r = *entry.result;
+    const Units units = entry.run->units;
+    rows.push_back({entry.name, std::string(name(entry.run->scene.interaction)),
+                    std::string(name(r.curve.outcome)), to_text(r.curve.force_max, units),
+                    to_text(r.curve.delta_max, units), to_text(r.curve.hysteresis_area, units),
+                    to_text(r.contact.max, units),
+                    r.hertz ? to_text(r.hertz->modulus, units) : "left out",
+                    r.hertz ? to_text(r.hertz->radius, units) : "left out"});
+  }
+  return html::table({"run", "interaction", "outcome", "F_max", "delta_max", "loop area",
+                      "contact radius, max", "E*", "R"}, rows, 3);
+}
+
+std::string overlay_sentence(const StudyRun& entry) {
+  if (!entry.overlay) return {};
+  return paragraph(fmt::format("Dashed: {}; {}.",
+                               entry.overlay->law->name == "jkr" ? "JKR, stable branch" : "Hertz",
+                               entry.overlay->source));
+}
+
+std::string fit_sentence(const StudyRun& entry) {
+  if (!entry.result->hertz) return {};
+  const HertzResult& h = *entry.result->hertz;
+  const Units units = entry.run->units;
+  return paragraph(fmt::format(
+      "Hertz fit: E* = {}, R = {}. The errors are the spread over {} choices of method, force range "
+      "and phase (E* {:.4g} to {:.4g}, R {:.5g} to {:.5g}); the standard errors of this one fit, "
+      "{:.2g} and {:.2g}, say nothing of it. {} points, residual {:.2g} of F_max (rms), optimum to "
+      "{:.0f} digits. Another crystal orientation moves E* by 30 to 50 %.{}",
+      to_text(h.modulus, units), to_text(h.radius, units), h.spread.variants.size(),
+      h.spread.modulus.least, h.spread.modulus.greatest, h.spread.radius.least,
+      h.spread.radius.greatest, *h.fit.modulus.error, *h.fit.radius.error, h.fit.points.size(),
+      h.fit.rms_residual, h.fit.fit.digits,
+      h.fit.fit.usable ? "" : " The fit is not usable: " + h.fit.fit.reason + "."));
+}
+
+std::string drawn(const std::vector<Figure>& figures, const std::filesystem::path& directory) {
+  std::string content;
+  for (const Figure& figure : figures) {
+    const std::string svg = draw(figure, directory);
+    content += svg.empty() ? paragraph("No picture: gnuplot is not installed. " + figure.alt)
+                           : html::picture(svg, figure.alt, figure.alt);
+  }
+  return element("div", content, "class=\"figures\"");
+}
+
+std::string run_section(const StudyRun& entry, const std::filesystem::path& directory) {
+  std::string text = heading(2, entry.name, file_name(entry.name));
+  if (!entry.result) return text + element("p", escape(entry.failure), "class=\"warning\"");
+  const AnalysedRun& r = *entry.result;
+  const InputRecord& input = r.measured.swept.input;
+  text += element("p", escape(fmt::format("{} · {} frames, {} + {} atoms · units {} · force from {} · "
+                                          "radius from {}", entry.dump.string(),
+                                          r.measured.swept.steps.size(),
+                                          r.measured.swept.tables[0].column("atoms1")[0],
+                                          r.measured.swept.tables[0].column("atoms2")[0],
+                                          name(entry.run->units), name(r.source), r.radii.source)),
+                  "class=\"quiet\"");
+  text += paragraph(sentence(entry));
+  for (const std::string& w : entry.warnings)
+    text += element("p", escape("Warning: " + w), "class=\"warning\"");
+  text += fit_sentence(entry) + overlay_sentence(entry);
+  text += drawn(run_figures(entry), directory);
+  return text + element("p", element("code", escape(fmt::format("{} bytes, {}", input.size,
+                                                                input.hash))),
+                        "class=\"quiet\"");
+}
+
+/// A row a number, a column a setting: relative difference from the first setting.
+std::string accuracy_table(const StudyRun& entry) {
+  std::vector<std::string> head{"number"}, seconds{"seconds"}, order;
+  std::map<std::string, std::map<std::string, std::string>> cells;
+  for (const AccuracyRow& r : entry.accuracy) {
+    if (head.back() != r.setting) {
+      head.push_back(r.setting);
+      seconds.push_back(fmt::format("{:.3f}", r.seconds));
+    }
+    if (!cells.count(r.quantity)) order.push_back(r.quantity);
+    cells[r.quantity][r.setting] =
+        r.error == 0 ? fmt::format("{:.6g}", r.value) : fmt::format("{:.1e}", r.error);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& quantity : order) {
+    rows.push_back({quantity});
+    for (std::size_t k = 1; k < head.size(); ++k) rows.back().push_back(cells[quantity][head[k]]);
+  }
+  rows.push_back(seconds);
+  return html::table(head, rows);
+}
+
+std::string accuracy_section(const Study& study, const std::filesystem::path& directory) {
+  std::string text = heading(2, "Error against run time", "accuracy");
+  text += paragraph("Every published number with fewer frames and other fit methods, against "
+                    "the time of reading and analysis (median of three). The first column is the "
+                    "reference, all frames and the default method; the others tell the relative "
+                    "difference from it.");
+  for (const StudyRun& entry : study.runs) {
+    if (!entry.result) continue;
+    text += heading(3, entry.name) + drawn({accuracy_figure(entry)}, directory) +
+            accuracy_table(entry);
+  }
+  return text;
+}
+
+std::string stability_section(const Study& study) {
+  std::string text = heading(2, "Numerical stability", "stability");
+  text += paragraph(fmt::format("Digits of each published number that survive when every number in "
+                                "the dump is moved at random within its last printed digit (the "
+                                "worst of {} repetitions). Fewer than {} digits are flagged.",
+                                stability_repetitions,
+                                static_cast<int>(StabilityRow::least_stable_digits)));
+  for (const StudyRun& entry : study.runs) {
+    if (!entry.result) continue;
+    std::vector<std::vector<std::string>> rows;
+    for (const StabilityRow& r : entry.stability)
+      rows.push_back({r.quantity, fmt::format("{:.6g}", r.value), fmt::format("{:.1e}", r.change),
+                      fmt::format("{:.1f}", r.digits), r.weak() ? "few digits" : "stable"});
+    text += heading(3, entry.name) +
+            html::table({"number", "value", "greatest change", "digits kept", "verdict"}, rows, 1);
+  }
+  return text;
+}
+
+std::string left_out_section(const Study& study) {
+  std::string text = heading(2, "What was left out and why", "left-out");
+  text += paragraph("Not read, not computed, because the scene does not need it or the dump does not "
+                    "hold it.");
+  std::vector<std::vector<std::string>> rows;
+  for (const StudyRun& entry : study.runs)
+    for (const LeftOut& l : entry.left_out) rows.push_back({entry.name, l.what, l.reason});
+  return text + html::table({"run", "left out", "because"}, rows, 3);
+}
+
+}  // namespace
+
+std::string study_page(const Study& study, const std::filesystem::path& figures) {
+  std::string body = heading(1, "Contact mechanics of " + std::to_string(study.runs.size()) +
+                                    (study.runs.size() == 1 ? " run" : " runs"));
+  body += element("p", escape(fmt::format("{} · mdana {}", study.directory.string(), version)),
+                  "class=\"quiet\"");
+  body += summary_table(study);
+  for (const StudyRun& entry : study.runs) body += run_section(entry, figures);
+  body += accuracy_section(study, figures) + stability_section(study) + left_out_section(study);
+  return html::page("Contact mechanics", page_style, body);
+}
+
+}  // namespace mdana
