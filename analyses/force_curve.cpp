@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analyses/turning_points.hpp"
 
@@ -99,7 +100,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   curve.delta_max = {largest(curve.delta), {}, dimension::length};
   curve.force_max = {largest(curve.force), {}, dimension::force};
   curve.force_min_loading.dimension = dimension::force;
-  curve.hysteresis_area.dimension = dimension::energy;
+  curve.hysteresis_area = {std::numeric_limits<double>::quiet_NaN(), {}, dimension::energy};
   if (!curve.contact) return curve;
 
   const Span contact = contact_span(curve.force);

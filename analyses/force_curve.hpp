@@ -48,7 +48,7 @@ struct ForceCurve {
   Value force_min_loading;  ///< least force up to the first turn (greatest attraction)
   Value delta_max;
   /// Area between the first loading and the first unloading branch over the delta that both cover:
-  /// the energy lost in the first cycle; for a bounce all that is lost.
+  /// the energy lost in the first cycle; for a bounce all that is lost. NaN without a turn.
   Value hysteresis_area;
 };
 

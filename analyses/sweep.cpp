@@ -55,7 +55,7 @@ class Sweep {
 
  private:
   void frame() {
-    check_units_and_times();
+    check_header();
     rows_.clear();
     for (const Table& table : result_.tables) rows_.emplace_back(table.columns().size());
     kept_.clear();
@@ -75,13 +75,17 @@ class Sweep {
     if (options_.progress) options_.progress(result_.steps.size());
   }
 
-  void check_units_and_times() {
+  void check_header() {
     if (!result_.steps.empty() && header_.step <= result_.steps.back())
       throw InputError(fmt::format("{}: the step does not come after that of the frame before ({})",
                                    header_.place, result_.steps.back()));
     if (header_.time.has_value() != (result_.stated_times.size() == result_.steps.size()) &&
         !result_.steps.empty())
       throw InputError(fmt::format("{}: some frames state their time and some do not",
+                                   header_.place));
+    if (result_.steps.empty()) units_ = header_.units;
+    if (header_.units != units_)
+      throw InputError(fmt::format("{}: the units differ from those of the first frame",
                                    header_.place));
     const auto positions = position_source(header_.columns);
     if (positions && positions->may_jump(header_.box)) result_.positions_may_jump = true;
@@ -154,6 +158,7 @@ class Sweep {
   SweepResult result_;
 
   FrameHeader header_;
+  std::optional<Units> units_;  ///< as the first frame states them
   Chunk chunk_;
   std::vector<BodyIndex> body_;
   std::vector<double> mass_;

@@ -28,18 +28,22 @@ std::vector<std::int64_t> distinct(const std::filesystem::path& dump, const std:
   return {values.begin(), values.end()};
 }
 
+Bodies one_a_value(const std::string& column, const std::vector<std::int64_t>& values) {
+  std::vector<Bodies::Run> runs;
+  for (const std::int64_t v : values)
+    runs.push_back({v, v, static_cast<BodyIndex>(runs.size() + 1)});
+  return {column, runs, fmt::format("{} {}", column, fmt::join(values, ", "))};
+}
+
 Bodies by_values(const std::filesystem::path& dump, const FrameHeader& first,
                  const std::string& column) {
   if (!first.has_column(column))
     throw InputError(fmt::format("{}: no column '{}' for --bodies {}", first.place, column, column));
-  std::vector<Bodies::Run> runs;
   const auto values = distinct(dump, column);
   if (values.size() > most_bodies)
     throw InputError(fmt::format("{}: more than {} different values of '{}'; use another --bodies",
                                  first.place, most_bodies, column));
-  for (const std::int64_t v : values)
-    runs.push_back({v, v, static_cast<BodyIndex>(runs.size() + 1)});
-  return {column, runs, fmt::format("{} {}", column, fmt::join(values, ", "))};
+  return one_a_value(column, values);
 }
 
 std::int64_t whole_number(std::string_view text, const std::string& rule) {
@@ -90,8 +94,8 @@ Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) 
 Bodies by_default(const std::filesystem::path& dump, const FrameHeader& first) {
   for (const char* column : {"type", "mol"}) {
     if (!first.has_column(column)) continue;
-    Bodies bodies = by_values(dump, first, column);
-    if (bodies.count() == 2) return bodies;
+    const auto values = distinct(dump, column);
+    if (values.size() == 2) return one_a_value(column, values);
   }
   return by_clusters(dump, first);
 }

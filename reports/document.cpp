@@ -27,6 +27,7 @@ int decimals(double error) {
 
 std::string to_text(const Value& v, Units units) {
   const std::string unit = symbol(units, v.dimension);
+  if (std::isnan(v.value)) return "not determined";
   const std::string tail = unit.empty() ? "" : " " + unit;
   if (!v.error) return fmt::format("{:.6g}{}", v.value, tail);
   const double size = std::abs(v.value);
@@ -44,12 +45,16 @@ nlohmann::ordered_json to_json(const Value& v) {
   return json;
 }
 
-Document::Document(std::string_view command, const Run& run) : units_(run.units) {
+Document::Document(std::string_view command) {
   root_["command"] = command;
   root_["mdana_version"] = version;
+  root_["inputs"] = nlohmann::ordered_json::array();
+}
+
+Document::Document(std::string_view command, const Run& run) : Document(command) {
+  units_ = run.units;
   root_["units"] = name(run.units);
   root_["units_source"] = run.units_source;
-  root_["inputs"] = nlohmann::ordered_json::array();
   root_["scene"] = run.scene.file.empty() ? nlohmann::ordered_json(nullptr)
                                           : nlohmann::ordered_json(run.scene.file.string());
   root_["bodies"] = run.bodies.rule();
@@ -85,11 +90,11 @@ void Document::left_out(std::string what, std::string reason) {
   root_["left_out"].push_back({{"what", std::move(what)}, {"reason", std::move(reason)}});
 }
 
-void Document::sweep(const Run& run, const SweepResult& swept) {
+void Document::sweep(const SweepResult& swept, std::string_view format) {
   root_["inputs"].push_back({{"path", swept.input.path},
                              {"size", swept.input.size},
                              {"hash", swept.input.hash},
-                             {"format", run.format}});
+                             {"format", format}});
   root_["frames"] = swept.steps.size();
   root_["seconds"] = swept.seconds;
   line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));

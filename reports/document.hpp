@@ -15,14 +15,17 @@
 
 namespace mdana {
 
-/// "12.34 ± 0.05 ε/σ": as many digits as the error leaves, or six without an error.
+/// "12.34 ± 0.05 ε/σ": as many digits as the error leaves, or six without an error; "not determined"
+/// for NaN.
 std::string to_text(const Value& value, Units units);
 
 /// The result of a command: one JSON document, and the same as lines for a terminal. A name with
 /// dots ("contact_radius.gyration.max") makes nested objects.
 class Document {
  public:
-  /// Starts with mdana_version, command, units and inputs.
+  /// Starts with command, mdana_version and inputs.
+  explicit Document(std::string_view command);
+  /// Besides, the units, scene, bodies and masses of a run, and its warnings.
   Document(std::string_view command, const Run& run);
 
   void number(std::string_view name, const Value& value);       ///< {value, error}
@@ -34,9 +37,8 @@ class Document {
   void left_out(std::string what, std::string reason);
 
   /// Adds what a sweep says of itself: input, seconds, damage and other warnings.
-  void sweep(const Run& run, const SweepResult& swept);
+  void sweep(const SweepResult& swept, std::string_view format);
 
-  Units units() const { return units_; }
   bool damaged() const { return damaged_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -45,7 +47,7 @@ class Document {
   nlohmann::ordered_json content() const;
 
  private:
-  Units units_;
+  Units units_ = Units::lj;  ///< of the numbers
   nlohmann::ordered_json root_;
   std::vector<std::pair<std::string, std::string>> lines_;
   std::vector<std::string> warnings_;

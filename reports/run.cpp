@@ -14,10 +14,38 @@
 namespace mdana {
 namespace {
 
-struct StatedUnits {
-  Units units;
-  std::string source;
-};
+double positive_number(std::string_view text, const std::string& option) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) ||
+      !std::isfinite(value))
+    throw InputError(fmt::format("radius '{}': R or R1,R2 expected, greater than zero", option));
+  return value;
+}
+
+std::array<double, 2> parse_radii(const std::string& text) {
+  const std::string_view view(text);
+  const std::size_t comma = view.find(',');
+  if (comma == std::string_view::npos) {
+    const double r = positive_number(view, text);
+    return {r, r};
+  }
+  return {positive_number(view.substr(0, comma), text),
+          positive_number(view.substr(comma + 1), text)};
+}
+
+Radii gyration_radii(const Run& run) {
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_motion({}));  // first: it checks that both bodies are there
+  analyses.push_back(make_gyration());
+  SweepOptions options;
+  options.frames = 1;
+  const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
+  return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
+          "sqrt(5/3) r_g of the first frame"};
+}
+
+}  // namespace
 
 StatedUnits find_units(const RunOptions& options, const FrameHeader& first, const Scene& scene) {
   std::optional<Units> stated;
@@ -63,44 +91,15 @@ Masses find_masses(const RunOptions& options, const FrameHeader& first, const Sc
                                "the column 'mass'", options.dump.string()));
 }
 
-double positive_number(std::string_view text, const std::string& option) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) ||
-      !std::isfinite(value))
-    throw InputError(fmt::format("radius '{}': R or R1,R2 expected, greater than zero", option));
-  return value;
+Scene find_scene(const RunOptions& options) {
+  return options.scene.empty() ? scene_beside(options.dump) : load_scene(options.scene);
 }
-
-std::array<double, 2> parse_radii(const std::string& text) {
-  const std::string_view view(text);
-  const std::size_t comma = view.find(',');
-  if (comma == std::string_view::npos) {
-    const double r = positive_number(view, text);
-    return {r, r};
-  }
-  return {positive_number(view.substr(0, comma), text),
-          positive_number(view.substr(comma + 1), text)};
-}
-
-Radii gyration_radii(const Run& run) {
-  std::vector<std::unique_ptr<Analysis>> analyses;
-  analyses.push_back(make_motion({}));  // first: it checks that both bodies are there
-  analyses.push_back(make_gyration());
-  SweepOptions options;
-  options.frames = 1;
-  const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
-  return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
-          "sqrt(5/3) r_g of the first frame"};
-}
-
-}  // namespace
 
 Run prepare_run(const RunOptions& options) {
   FrameHeader first = first_header(options.dump);
   if (first.atoms == 0)
     throw InputError(fmt::format("{}: the first frame has no atoms", first.place));
-  Scene scene = options.scene.empty() ? scene_beside(options.dump) : load_scene(options.scene);
+  Scene scene = find_scene(options);
   if (!position_source(first.columns))
     throw InputError(fmt::format("{}: no position columns (x y z, xs, xu or xsu) in the dump; it has "
                                  "{}", first.place, fmt::join(first.columns, " ")));

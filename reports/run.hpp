@@ -49,6 +49,22 @@ struct Radii {
   double sum() const { return value[0] + value[1]; }
 };
 
+/// The units that option, dump or scene state, and which of them. An option may overrule the scene;
+/// what the dump states must agree with both.
+/// Throws InputError if none states them or they disagree.
+struct StatedUnits {
+  Units units;
+  std::string source;
+};
+StatedUnits find_units(const RunOptions& options, const FrameHeader& first, const Scene& scene);
+
+/// Masses from option, dump, scene, or 1 in lj units (a warning says so). Throws InputError.
+Masses find_masses(const RunOptions& options, const FrameHeader& first, const Scene& scene,
+                   Units units, std::vector<std::string>& warnings);
+
+/// The scene file given, or the one beside the dump.
+Scene find_scene(const RunOptions& options);
+
 /// Looks at the first frame and settles units, time step, masses and bodies.
 /// Throws InputError naming what is missing and the option that supplies it.
 Run prepare_run(const RunOptions& options);

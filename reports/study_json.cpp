@@ -34,7 +34,7 @@ nlohmann::ordered_json run_json(const StudyRun& entry) {
   const AnalysedRun& result = *entry.result;
   Document document("report", *entry.run);
   document.json("name", entry.name);
-  document.sweep(*entry.run, result.measured.swept);
+  document.sweep(result.measured.swept, entry.run->format);
   add_force(document, result.curve, result.source, result.radii);
   add_contact_radius(document, result.contact, half_layer(*entry.run, {}));
   if (result.hertz) add_hertz(document, *entry.run, *result.hertz);

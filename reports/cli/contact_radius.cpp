@@ -59,7 +59,7 @@ int run_command(const Values& values) {
                                          "--layer)");
 
   Document document("contact-radius", run);
-  document.sweep(run, measured.swept);
+  document.sweep(measured.swept, run.format);
   add_contact_radius(document, numbers, half);
   document.text("radius_source", radii.source);
   document.left_out("force, velocities", "not needed for the contact radius; only positions are read");

@@ -64,7 +64,7 @@ int run_command(const Values& values) {
   const HertzResult hertz = fit_hertz_with_spread(hertz_data(curve), wanted);
 
   Document document("fit-hertz", run);
-  document.sweep(run, measured.swept);
+  document.sweep(measured.swept, run.format);
   document.json("force_source", name(source));
   document.line("force from", std::string(description(source)));
   add_hertz(document, run, hertz);

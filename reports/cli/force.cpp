@@ -79,7 +79,7 @@ int run_command(const Values& values) {
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii.sum());
 
   Document document("force", run);
-  document.sweep(run, measured.swept);
+  document.sweep(measured.swept, run.format);
   add_force(document, curve, source, radii);
   warn_of_force(document, curve);
   Table table = force_table(curve, measured.motion);

@@ -79,13 +79,19 @@ nlohmann::ordered_json box_json(const Box& box) {
           {"periodic", {box.periodic[0], box.periodic[1], box.periodic[2]}}};
 }
 
+void add_ability(Document& document, const std::string& what, const std::string& obstacle) {
+  if (obstacle.empty()) {
+    document.line("can compute", what);
+    return;
+  }
+  document.line("left out", what + ": " + obstacle);
+  document.left_out(what, obstacle);
+}
+
 /// What each command can do with the dump, or why it cannot.
 void add_abilities(Document& document, const Run& run) {
   const auto add = [&](const std::string& what, const std::string& obstacle) {
-    if (obstacle.empty())
-      document.line("can compute", what);
-    else
-      document.left_out(what, obstacle), document.line("cannot compute", what + ": " + obstacle);
+    add_ability(document, what, obstacle);
   };
   std::string bodies;
   if (run.bodies.count() != 2)
@@ -116,37 +122,57 @@ void add_options(Options& options) {
       "write the document (.json)");
 }
 
-int run_command(const Values& values) {
-  check_output(values);
-  const Run run = prepare_run(run_options(values));
-  const Walk walk = walk_frames(run.dump, run.first);
-  if (walk.frames == 0) throw InputError(walk.damage);
-  Document document("info", run);
+/// What analyses need beyond the dump itself: told as far as it is known.
+Document settings(const RunOptions& options) {
+  try {
+    const Run run = prepare_run(options);
+    Document document("info", run);
+    document.json("body_count", run.bodies.count());
+    document.text("timestep_source", run.timestep_source);
+    if (run.scene.interaction != Interaction::unknown)
+      document.text("interaction", std::string(name(run.scene.interaction)));
+    add_abilities(document, run);
+    return document;
+  } catch (const InputError& error) {
+    Document document("info");
+    document.line("dump", options.dump.string());
+    add_ability(document, "all analyses", error.what());
+    return document;
+  }
+}
+
+void add_frames(Document& document, const FrameHeader& first, const Walk& walk,
+                std::string_view format) {
   SweepResult as_swept;  // says input, damage and time in the same words as every command
   as_swept.steps.resize(walk.frames);
   as_swept.input = walk.input;
   as_swept.damage = walk.damage;
   as_swept.seconds = walk.seconds;
-  const auto positions = position_source(run.first.columns);
-  as_swept.positions_may_jump = positions && positions->may_jump(run.first.box);
-  document.sweep(run, as_swept);
-  document.text("format", std::string(run.format));
+  const auto positions = position_source(first.columns);
+  as_swept.positions_may_jump = positions && positions->may_jump(first.box);
+  document.sweep(as_swept, format);
+  document.text("format", std::string(format));
   document.json("steps", {walk.first_step, walk.last_step});
   document.line("steps", fmt::format("{} to {}", walk.first_step, walk.last_step));
-  document.text("timestep_source", run.timestep_source);
   document.json("atoms", {walk.least_atoms, walk.most_atoms});
   document.line("atoms", walk.least_atoms == walk.most_atoms
                              ? fmt::format("{}", walk.most_atoms)
                              : fmt::format("{} to {}", walk.least_atoms, walk.most_atoms));
-  document.json("columns", run.first.columns);
-  document.line("columns", fmt::format("{}", fmt::join(run.first.columns, " ")));
-  document.json("box", box_json(run.first.box));
-  document.line("box", box_text(run.first.box));
-  document.json("body_count", run.bodies.count());
-  if (run.scene.interaction != Interaction::unknown)
-    document.text("interaction", std::string(name(run.scene.interaction)));
+  document.json("columns", first.columns);
+  document.line("columns", fmt::format("{}", fmt::join(first.columns, " ")));
+  document.json("box", box_json(first.box));
+  document.line("box", box_text(first.box));
   if (walk.columns_change) document.warn("the columns change between frames");
-  add_abilities(document, run);
+}
+
+int run_command(const Values& values) {
+  check_output(values);
+  const RunOptions options = run_options(values);
+  const FrameHeader first = first_header(options.dump);
+  const Walk walk = walk_frames(options.dump, first);
+  if (walk.frames == 0) throw InputError(walk.damage);
+  Document document = settings(options);
+  add_frames(document, first, walk, format_of(options.dump));
   return emit(values, document, nullptr);
 }
 
