@@ -83,9 +83,9 @@ class Sweep {
         !result_.steps.empty())
       throw InputError(fmt::format("{}: some frames state their time and some do not",
                                    header_.place));
-    if (result_.steps.empty()) units_ = header_.units;
-    if (header_.units != units_)
-      throw InputError(fmt::format("{}: the units differ from those of the first frame",
+    if (header_.units && !units_) units_ = header_.units;  // LAMMPS states them once a file
+    if (header_.units && header_.units != units_)
+      throw InputError(fmt::format("{}: the units differ from those of an earlier frame",
                                    header_.place));
     const auto positions = position_source(header_.columns);
     if (positions && positions->may_jump(header_.box)) result_.positions_may_jump = true;
@@ -158,7 +158,7 @@ class Sweep {
   SweepResult result_;
 
   FrameHeader header_;
-  std::optional<Units> units_;  ///< as the first frame states them
+  std::optional<Units> units_;  ///< as an earlier frame states them
   Chunk chunk_;
   std::vector<BodyIndex> body_;
   std::vector<double> mass_;

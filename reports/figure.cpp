@@ -51,6 +51,14 @@ std::string plot_clause(const Series& series, std::size_t index) {
                      quoted(series.label));
 }
 
+/// The environment with a UTF-8 locale, for labels beyond ASCII.
+std::vector<std::string> utf8_environment() {
+  std::vector<std::string> variables{"LC_ALL=C.UTF-8"};
+  for (char** v = environ; *v; ++v)
+    if (std::strncmp(*v, "LC_ALL=", 7) != 0) variables.emplace_back(*v);
+  return variables;
+}
+
 /// Runs gnuplot in the directory without a shell; false if it is not installed.
 bool run_gnuplot(const std::filesystem::path& directory, const std::string& script) {
   posix_spawn_file_actions_t actions;
@@ -58,8 +66,13 @@ bool run_gnuplot(const std::filesystem::path& directory, const std::string& scri
   posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   std::string program = "gnuplot", argument = script;
   char* arguments[] = {program.data(), argument.data(), nullptr};
+  std::vector<std::string> variables = utf8_environment();
+  std::vector<char*> environment;
+  for (std::string& v : variables) environment.push_back(v.data());
+  environment.push_back(nullptr);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments,
+                                 environment.data());
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) return false;
   if (error != 0) throw std::runtime_error(fmt::format("gnuplot: {}", std::strerror(error)));

@@ -84,8 +84,7 @@ class Case(unittest.TestCase):
 
     def refused(self, *arguments, code=1, says=()):
         """mdana must fail with the code and say why, print no result and leave no file; its message."""
-        place = self.dir / "out"
-        place.mkdir(exist_ok=True)
+        place = Path(tempfile.mkdtemp(dir=self.dir))
         done = self.mdana(*arguments, "-o", place / "out.json", code=code)
         self.assertEqual(done.stdout, "", "a failed command prints no results")
         self.assertEqual(os.listdir(place), [], "a failed command leaves no file")

@@ -296,7 +296,7 @@ class Scenes(Case):
             ("unknown key", "sigma = 1.0", "sigma = 1.0\ncolour = 3", "colour"),
             ("unknown key of a body", 'name = "1"', 'nickname = "1"', "nickname"),
             ("not TOML", "sigma = 1.0", "sigma = = 1.0", ""),
-            ("units", 'units = "lj"', 'units = "furlong"', "furlong"),
+            ("units", 'units = "lj"', 'units = "furlong"', "units: unknown"),
             ("units of the wrong kind", 'units = "lj"', "units = 3", "units"),
             ("time step", "timestep = 0.0078125", "timestep = -1", "timestep"),
             ("time step of the wrong kind", "timestep = 0.0078125", 'timestep = "fast"', "timestep"),
