@@ -14,8 +14,8 @@ void fit_and_take_radius(AnalysedRun& result, const Run& run) {
   result.hertz = fit_hertz_with_spread(hertz_data(result.curve), {});
   if (!result.hertz->fit.fit.usable) return;
   const double r = result.hertz->fit.radius.value;
-  result.radii = {{r, r}, "Hertz fit of this run"};
-  result.curve = touching_force_curve(run, result.measured.motion, result.source, 2 * r);
+  result.radii = {{r, r}, "Hertz fit of this run", 2 * *result.hertz->radius.error};
+  result.curve = touching_force_curve(run, result.measured.motion, result.source, result.radii);
 }
 
 }  // namespace
@@ -45,8 +45,7 @@ AnalysedRun analyse_run(const Run& run, const std::optional<Radii>& radii,
   std::vector<std::unique_ptr<Analysis>> analyses;
   analyses.push_back(make_contact_radius({result.radii.value, half_layer(run, {})}));
   result.measured = measure_motion(run, parts_for(result.source), std::move(analyses), options);
-  result.curve =
-      touching_force_curve(run, result.measured.motion, result.source, result.radii.sum());
+  result.curve = touching_force_curve(run, result.measured.motion, result.source, result.radii);
   result.contact = contact_radius_numbers(result.measured, result.contact_table());
   if (!radii && run.scene.interaction == Interaction::hertz) fit_and_take_radius(result, run);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

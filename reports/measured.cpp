@@ -2,6 +2,7 @@
 #include "reports/measured.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -27,13 +28,15 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
 }
 
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
-                                double radius_sum) {
-  ForceCurve curve = force_curve(motion, source, run.units, radius_sum);
+                                const Radii& radii) {
+  ForceCurve curve = force_curve(motion, source, run.units, radii.sum());
   if (!curve.contact)
     throw InputError(fmt::format(
         "{}: no contact in this dump: the centres come no nearer than {:.6g}, {:.6g} more than the "
         "radii", run.dump.string(), *std::min_element(curve.distance.begin(), curve.distance.end()),
         -curve.delta_max.value));
+  if (curve.delta_max.error)
+    curve.delta_max.error = std::hypot(*curve.delta_max.error, radii.sum_error);
   return curve;
 }
 

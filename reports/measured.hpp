@@ -23,9 +23,10 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
                               std::vector<std::unique_ptr<Analysis>> others,
                               const SweepOptions& options);
 
-/// Force curve of a measured motion; throws InputError if the bodies never touch.
+/// Force curve of a measured motion; the error of the radii is part of that of delta_max. Throws
+/// InputError if the bodies never touch.
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
-                                double radius_sum);
+                                const Radii& radii);
 
 /// Contact radius [length] of every frame: greatest, at greatest delta, at the end.
 struct ContactRadiusNumbers {

@@ -42,7 +42,7 @@ Radii gyration_radii(const Run& run) {
   options.frames = 1;
   const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
   return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
-          "sqrt(5/3) r_g of the first frame"};
+          "sqrt(5/3) r_g of the first frame", 0};
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ const StudyRun* companion(const Study& study, const Run& run) {
 
 std::optional<Radii> companion_radii(const StudyRun* other) {
   if (!other) return std::nullopt;
-  const double r = other->result->hertz->radius.value;
-  return Radii{{r, r}, fmt::format("Hertz fit of run {}", other->name)};
+  const Value& r = other->result->hertz->radius;
+  return Radii{{r.value, r.value}, fmt::format("Hertz fit of run {}", other->name), 2 * *r.error};
 }
 
 /// Hertz over its own fit; JKR where E*, R and gamma are known.

@@ -26,9 +26,11 @@ std::string sentence(const StudyRun& entry) {
                               ? "The bodies met and stuck."
                               : "The dump ends before it is clear whether the bodies stick.";
   return fmt::format("{} Greatest force {}, greatest mutual approach {}, loop area of the first "
-                     "cycle {}. Errors of the force numbers come from halving the number of frames.",
+                     "cycle {}. Errors come from halving the number of frames{}.",
                      how, to_text(curve.force_max, units), to_text(curve.delta_max, units),
-                     to_text(curve.hysteresis_area, units));
+                     to_text(curve.hysteresis_area, units),
+                     entry.result->radii.sum_error > 0 ? ", that of the approach from the radius besides"
+                                                       : "");
 }
 
 std::string summary_table(const Study& study) {

@@ -60,7 +60,7 @@ int run_command(const Values& values) {
   const MeasuredMotion measured = measure_motion(run, parts_for(source), {}, sweeping);
   require_equal_bodies(run, measured.swept.tables[0]);
   const Radii radii = find_radii(run, options);
-  const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii.sum());
+  const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
   const HertzResult hertz = fit_hertz_with_spread(hertz_data(curve), wanted);
 
   Document document("fit-hertz", run);

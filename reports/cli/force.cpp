@@ -76,7 +76,7 @@ int run_command(const Values& values) {
   const ForceSource source = wanted_source(values, run);
   const Radii radii = find_radii(run, options);
   const MeasuredMotion measured = measure_motion(run, parts(run, source, compare), {}, sweeping);
-  const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii.sum());
+  const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
 
   Document document("force", run);
   document.sweep(measured.swept, run.format);

@@ -93,6 +93,15 @@ class Case(unittest.TestCase):
             self.assertIn(str(text), done.stderr)
         return done.stderr
 
+    def told_by_info(self, path, *says):
+        """`mdana info` must say of a dump that is readable what keeps everything else from being computed."""
+        document = self.document("info", path)
+        reasons = "\n".join(entry["reason"] for entry in document["left_out"])
+        for text in says:
+            self.assertIn(str(text), reasons)
+        self.assertGreater(document["frames"], 0)
+        return document
+
     def assert_close(self, found, wanted, tolerance, scale, what=""):
         """|found - wanted| <= tolerance * scale for every element of two series."""
         self.assertEqual(len(found), len(wanted), what)

@@ -91,13 +91,19 @@ class NoDump(Case):
 
 
 class Unusable(Case):
+    """Dumps that can be read, but not analysed. `info` succeeds: it says why not, in the words of the others."""
+
     def dump(self, frames, name="run.dump"):
         return dumps.write(self.dir / name, frames)
 
+    def refused_by_all(self, dump, *says):
+        self.told_by_info(dump, *says)
+        for command in MEASURING:
+            with self.subTest(command):
+                self.refused(command, dump, says=(dump, *says))
+
     def test_no_positions(self):
-        dump = self.dump([frame.without("x", "y", "z") for frame in bounce()])
-        for command in COMMANDS:
-            self.refused(command, dump, says=(dump, "position", "x y z"))
+        self.refused_by_all(self.dump([frame.without("x", "y", "z") for frame in bounce()]), "position", "x y z")
 
     def test_no_time(self):
         """Without forces the force is a derivative by time; the message tells of --timestep, which then works."""
@@ -147,8 +153,7 @@ class Unusable(Case):
         for frame in frames:
             frame.units = None
         dump = self.dump(frames)
-        for command in COMMANDS:
-            self.refused(command, dump, says=(dump, "units", "--units"))
+        self.refused_by_all(dump, "units", "--units")
         self.mdana("force", dump, "--units", "lj")
 
     def test_no_masses(self):
@@ -156,8 +161,7 @@ class Unusable(Case):
         for frame in frames:
             frame.units = "metal"
         dump = self.dump(frames)
-        for command in COMMANDS:
-            self.refused(command, dump, says=(dump, "mass", "--masses"))
+        self.refused_by_all(dump, "mass", "--masses")
         self.mdana("force", dump, "--masses", "1=63.5,2=63.5")
         self.refused("force", dump, "--masses", "1=63.5", says=(dump, "mass", "type 2"))
         self.refused("contact-radius", dump, "--masses", "1=1,2=1", says=(dump, "--layer"))
@@ -177,9 +181,7 @@ class Unusable(Case):
         frames = bounce()
         for frame in frames:
             frame.atoms = frame.atoms[:0]
-        dump = self.dump(frames)
-        for command in COMMANDS:
-            self.refused(command, dump, says=(dump, "no atoms"))
+        self.refused_by_all(self.dump(frames), "no atoms")
 
     def test_values_that_are_no_numbers(self):
         """In the first frame: nothing to save; the message has the line."""
@@ -283,7 +285,8 @@ class Scenes(Case):
     def refused_scene(self, text, *says, line=None):
         self.scene.write_text(text, encoding="utf-8")
         place = f"{self.scene}:{line}" if line else self.scene
-        for command in COMMANDS:
+        self.told_by_info(self.dump, place, *says)
+        for command in MEASURING:
             self.refused(command, self.dump, says=(place, *says))
 
     def test_mistakes_in_the_scene(self):

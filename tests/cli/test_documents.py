@@ -89,6 +89,16 @@ class Documents(Case):
         self.assertEqual(document["box"]["edges"], [[76.8, 0, 0], [0, 50, 0], [0, 0, 50]])
         self.assertEqual(document["box"]["periodic"], [False] * 3)
 
+    def test_info_without_units(self):
+        """A dump that nothing can be computed from has the names of every document all the same; units are null."""
+        path = self.dir / "bare.dump"
+        path.write_text(dumps.read_text(SAMPLE).replace("ITEM: UNITS\nlj\n", ""), encoding="utf-8")
+        document = self.document("info", path)
+        self.assertLessEqual({"mdana_version", "inputs", "seconds", "warnings", "frames", "columns"}, set(document))
+        self.assertIn("--units", document["left_out"][0]["reason"])
+        self.assertIn("units", document)
+        self.assertIsNone(document["units"])
+
     def test_force(self):
         document = self.document("force", SAMPLE)
         self.assertIn(document["outcome"], ("bounce", "stick", "unresolved"))
