@@ -29,13 +29,15 @@ Span contact_span(const std::vector<double>& force) {
           force.size() - 1 - static_cast<std::size_t>(last - force.rbegin())};
 }
 
-/// The bodies met if they overlap, or if they pushed each other and that changed their speed.
-bool have_contact(const ForceCurve& curve) {
+/// The bodies met if they overlap, or if they pushed each other and that changed their relative
+/// kinetic energy by a thousandth, which rounding in a derivative does not.
+bool have_contact(const ForceCurve& curve, const RelativeMotion& motion) {
   if (largest(curve.delta) >= 0) return true;
   if (!(largest(curve.force) > 0)) return false;
-  if (curve.speed.empty()) return true;
-  const auto [least, most] = std::minmax_element(curve.speed.begin(), curve.speed.end());
-  return *most - *least > 1e-3 * std::abs(curve.speed.front());
+  const std::vector<double> energy = squared_speed(motion);
+  if (energy.empty()) return true;
+  const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
+  return *most - *least > 1e-3 * *most;
 }
 
 std::vector<Cycle> find_cycles(const std::vector<double>& delta, Span contact) {
@@ -95,7 +97,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   for (const double x : curve.distance) curve.delta.push_back(radius_sum - x);
   curve.speed = approach_speed(motion);
   curve.force = interparticle_force(motion, source, units);
-  curve.contact = have_contact(curve);
+  curve.contact = have_contact(curve, motion);
   curve.phase.assign(curve.delta.size(), Phase::approach);
   curve.delta_max = {largest(curve.delta), {}, dimension::length};
   curve.force_max = {largest(curve.force), {}, dimension::force};
@@ -119,6 +121,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
 }
 
 void widen(Value& value, const Value& coarse) {
+  if (std::isnan(value.value) || std::isnan(coarse.value)) return;
   value.error = std::max(value.error.value_or(0), std::abs(value.value - coarse.value));
 }
 
@@ -148,7 +151,7 @@ ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units u
   return curve;
 }
 
-Table force_table(const ForceCurve& curve, const RelativeMotion& motion) {
+Table force_table(const ForceCurve& curve, const RelativeMotion& motion, const Table& bodies) {
   Table table;
   table.add_column({"step", dimension::none},
                    std::vector<double>(motion.steps.begin(), motion.steps.end()));
@@ -163,6 +166,12 @@ Table force_table(const ForceCurve& curve, const RelativeMotion& motion) {
   std::vector<double> phase;
   for (const Phase p : curve.phase) phase.push_back(static_cast<double>(p));
   table.add_column({"phase", dimension::none, std::move(labels)}, std::move(phase));
+  for (std::size_t k = 0; k < bodies.columns().size(); ++k) {
+    const ColumnSpec& spec = bodies.columns()[k];
+    const auto values = bodies.column(k);
+    if (spec.dimension == dimension::length || spec.dimension == dimension::velocity)
+      table.add_column(spec, {values.begin(), values.end()});
+  }
   return table;
 }
 

@@ -48,7 +48,8 @@ struct ForceCurve {
   Value force_min_loading;  ///< least force up to the first turn (greatest attraction)
   Value delta_max;
   /// Area between the first loading and the first unloading branch over the delta that both cover:
-  /// the energy lost in the first cycle; for a bounce all that is lost. NaN without a turn.
+  /// the energy lost in the first cycle; for a head-on bounce all
+  /// that is lost. NaN without a turn.
   Value hysteresis_area;
 };
 
@@ -57,7 +58,8 @@ struct ForceCurve {
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
                        double radius_sum);
 
-/// Columns step, [time,] X, delta, [v,] F, phase: a row a frame.
-Table force_table(const ForceCurve& curve, const RelativeMotion& motion);
+/// Columns step, [time,] X, delta, [v,] F, phase, and the bodies' centres of mass x1 y1 z1 x2 y2 z2 and
+/// velocities vx1 ... of the motion table, as far as they were measured: a row a frame.
+Table force_table(const ForceCurve& curve, const RelativeMotion& motion, const Table& bodies);
 
 }  // namespace mdana

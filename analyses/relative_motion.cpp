@@ -19,6 +19,13 @@ Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3
   return derivative(motion.times, samples, rule);
 }
 
+/// Measured velocities, else the derivative of the positions, else no columns.
+Eigen::Matrix3Xd best_velocity(const RelativeMotion& motion) {
+  if (motion.velocity.cols() > 0) return motion.velocity;
+  if (motion.times.empty() || motion.frames() <= first_derivative.degree) return {};
+  return derivative(motion.times, motion.position, first_derivative);
+}
+
 /// Components of the columns of `vectors` along the centre line.
 std::vector<double> along_centre_line(const RelativeMotion& motion,
                                       const Eigen::Matrix3Xd& vectors, double factor) {
@@ -111,6 +118,9 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
                                    "lost or changed body", steps[static_cast<std::size_t>(i)],
                                    a.mass, b.mass, mass1, mass2));
     result.position.col(i) = b.position - a.position;
+    if (result.position.col(i).isZero(0))
+      throw InputError(fmt::format("step {}: the centres of the bodies coincide",
+                                   steps[static_cast<std::size_t>(i)]));
     if (has_velocity) result.velocity.col(i) = b.velocity - a.velocity;
     if (has_force) result.acceleration.col(i) = b.force / b.mass - a.force / a.mass;
   }
@@ -118,10 +128,14 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
 }
 
 std::vector<double> approach_speed(const RelativeMotion& motion) {
-  if (motion.velocity.cols() > 0) return along_centre_line(motion, motion.velocity, -1.0);
-  if (motion.times.empty() || motion.frames() <= first_derivative.degree) return {};
-  const Eigen::Matrix3Xd velocity = derivative(motion.times, motion.position, first_derivative);
+  const Eigen::Matrix3Xd velocity = best_velocity(motion);
+  if (velocity.cols() == 0) return {};
   return along_centre_line(motion, velocity, -1.0);
+}
+
+std::vector<double> squared_speed(const RelativeMotion& motion) {
+  const Eigen::RowVectorXd squares = best_velocity(motion).colwise().squaredNorm();
+  return {squares.begin(), squares.end()};
 }
 
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,

@@ -41,13 +41,16 @@ struct RelativeMotion {
 };
 
 /// From a motion table. `times` may be empty. Throws InputError if the reduced mass is not constant
-/// (atoms of a body lost or gained).
+/// (atoms of a body lost or gained) or the bodies' centres coincide.
 RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
                                const std::vector<double>& times);
 
 /// Approach speed -dX/dt > 0 while approaching, from velocities or else from positions [velocity];
 /// empty if neither velocities nor times are known, or if frames are too few to differentiate.
 std::vector<double> approach_speed(const RelativeMotion& motion);
+
+/// Squared relative speed [velocity^2] of every frame; empty as approach_speed.
+std::vector<double> squared_speed(const RelativeMotion& motion);
 
 /// Force between the bodies along their centre line, positive if repulsive, in the unit system's
 /// force unit: m* times relative acceleration (Yoshida, Kokubo & Tanaka 2024, Sec. IV A 1).

@@ -26,7 +26,7 @@ class Sweep {
  public:
   Sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
         std::span<const std::unique_ptr<Analysis>> analyses, const SweepOptions& options)
-      : bodies_(bodies), masses_(masses), analyses_(analyses), options_(options) {
+      : path_(dump.string()), bodies_(bodies), masses_(masses), analyses_(analyses), options_(options) {
     for (const auto& analysis : analyses) {
       needs_.push_back(analysis->needs());
       wanted_.add(needs_.back().columns);
@@ -41,12 +41,12 @@ class Sweep {
     const auto start = std::chrono::steady_clock::now();
     try {
       while (!enough() && source_->next(header_))
-        if (header_.index % options_.stride == 0) frame();
+        if (header_.index % options_.stride == 0) located_frame();
     } catch (const InputError& error) {
       if (result_.steps.empty()) throw;
       result_.damage = error.what();
     }
-    if (result_.steps.empty()) throw InputError("no frame in the file");
+    if (result_.steps.empty()) throw InputError(path_ + ": no frame in the file");
     if (!enough()) result_.input = source_->record();
     result_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -54,6 +54,19 @@ class Sweep {
   }
 
  private:
+  /// What an analysis finds wrong with the frame, told with the frame's place.
+  void located_frame() {
+    try {
+      frame();
+    } catch (const TruncatedInput&) {
+      throw;
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      if (what.starts_with(path_)) throw;
+      throw InputError(fmt::format("{}: {}", header_.place, what));
+    }
+  }
+
   void frame() {
     check_header();
     rows_.clear();
@@ -148,6 +161,7 @@ class Sweep {
     }
   }
 
+  std::string path_;
   const Bodies& bodies_;
   const Masses& masses_;
   std::span<const std::unique_ptr<Analysis>> analyses_;

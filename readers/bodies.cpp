@@ -54,16 +54,26 @@ std::int64_t whole_number(std::string_view text, const std::string& rule) {
   return value;
 }
 
-Bodies by_id_range(const FrameHeader& first, const std::string& rule) {
+struct IdRange {
+  std::int64_t first, last;
+};
+
+/// The range of a rule "id:FIRST-LAST".
+IdRange parse_id_range(const std::string& rule) {
   const std::string_view range = std::string_view(rule).substr(3);
   const std::size_t dash = range.find('-', 1);
   if (dash == std::string_view::npos)
     throw InputError(fmt::format("bodies '{}': id:FIRST-LAST expected", rule));
+  const IdRange ids{whole_number(range.substr(0, dash), rule),
+                    whole_number(range.substr(dash + 1), rule)};
+  if (ids.last < ids.first) throw InputError(fmt::format("bodies '{}': the range is empty", rule));
+  return ids;
+}
+
+Bodies by_id_range(const FrameHeader& first, const std::string& rule) {
   if (!first.has_column("id"))
     throw InputError(fmt::format("{}: no column 'id' for --bodies {}", first.place, rule));
-  const std::int64_t a = whole_number(range.substr(0, dash), rule);
-  const std::int64_t b = whole_number(range.substr(dash + 1), rule);
-  if (b < a) throw InputError(fmt::format("bodies '{}': the range is empty", rule));
+  const auto [a, b] = parse_id_range(rule);
   using Limits = std::numeric_limits<std::int64_t>;
   std::vector<Bodies::Run> runs;
   if (a > Limits::min()) runs.push_back({Limits::min(), a - 1, 2});
@@ -122,13 +132,20 @@ void Bodies::label(const AtomBlock& block, std::vector<BodyIndex>& body) const {
   }
 }
 
+void check_bodies_rule(const std::string& rule) {
+  if (rule.starts_with("id:"))
+    parse_id_range(rule);
+  else if (rule != "type" && rule != "mol" && rule != "clusters")
+    throw InputError(fmt::format("bodies '{}': type, mol, clusters or id:FIRST-LAST expected", rule));
+}
+
 Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
                    const std::string& rule) {
   if (rule.empty()) return by_default(dump, first);
+  check_bodies_rule(rule);
   if (rule == "type" || rule == "mol") return by_values(dump, first, rule);
   if (rule.starts_with("id:")) return by_id_range(first, rule);
-  if (rule == "clusters") return by_clusters(dump, first);
-  throw InputError(fmt::format("bodies '{}': type, mol, clusters or id:FIRST-LAST expected", rule));
+  return by_clusters(dump, first);
 }
 
 }  // namespace mdana

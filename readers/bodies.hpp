@@ -43,6 +43,9 @@ class Bodies {
   std::size_t count_ = 0;
 };
 
+/// Throws InputError unless the text is a rule for find_bodies.
+void check_bodies_rule(const std::string& rule);
+
 /// Bodies of a trajectory by a rule: `type`, `mol` (each value one body, ascending), `id:1-N` (the
 /// second body is all other ids), `clusters` (connected atoms of the first frame, larger than 1 %
 /// of the atoms, by lowest id), or empty: type if there are exactly two types, else mol, else

@@ -64,7 +64,9 @@ std::map<std::int64_t, double> parse_masses(const std::string& text) {
     if (equals == std::string::npos || !parse(std::string_view(entry).substr(0, equals), type) ||
         !parse(std::string_view(entry).substr(equals + 1), mass))
       throw InputError(fmt::format("masses '{}': TYPE=MASS,TYPE=MASS... expected", text));
-    masses[type] = mass;
+    check(mass);
+    if (!masses.emplace(type, mass).second)
+      throw InputError(fmt::format("masses '{}': type {} stands twice", text, type));
   }
   return masses;
 }

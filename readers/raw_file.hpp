@@ -13,7 +13,7 @@ namespace mdana {
 /// The bytes of a file in their order, each hashed once as it is first read.
 class RawFile {
  public:
-  /// Throws InputError if the file cannot be opened or is not a regular file or pipe.
+  /// Throws InputError if the file cannot be opened or is not a regular file.
   explicit RawFile(const std::filesystem::path& path);
   ~RawFile();
   RawFile(const RawFile&) = delete;

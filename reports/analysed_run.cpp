@@ -10,8 +10,9 @@ namespace {
 
 /// A Hertz scene measures its own radius, so its delta counts from there.
 void fit_and_take_radius(AnalysedRun& result, const Run& run) {
-  require_equal_bodies(run, result.measured.swept.tables[0]);
-  result.hertz = fit_hertz_with_spread(hertz_data(result.curve), {});
+  require_equal_bodies(run, result.measured.swept.tables[0], result.radii);
+  result.hertz =
+      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve), {}); });
   if (!result.hertz->fit.fit.usable) return;
   const double r = result.hertz->fit.radius.value;
   result.radii = {{r, r}, "Hertz fit of this run", 2 * *result.hertz->radius.error};

@@ -45,9 +45,14 @@ nlohmann::ordered_json to_json(const Value& v) {
   return json;
 }
 
+std::string to_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 Document::Document(std::string_view command) {
   root_["command"] = command;
   root_["mdana_version"] = version;
+  root_["units"] = nullptr;
   root_["inputs"] = nlohmann::ordered_json::array();
 }
 
@@ -114,7 +119,7 @@ nlohmann::ordered_json Document::content() const {
   return all;
 }
 
-std::string Document::to_json() const { return content().dump(2) + "\n"; }
+std::string Document::to_json() const { return to_text(content()); }
 
 std::string Document::to_terminal() const {
   std::size_t width = 0;

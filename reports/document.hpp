@@ -54,6 +54,9 @@ class Document {
   bool damaged_ = false;
 };
 
+/// Indented, with a line end; bytes of names that are not UTF-8 are replaced by U+FFFD.
+std::string to_text(const nlohmann::ordered_json& json);
+
 /// {"value": ..., "error": ... or null}.
 nlohmann::ordered_json to_json(const Value& value);
 

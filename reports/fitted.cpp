@@ -48,13 +48,13 @@ HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& se
   return result;
 }
 
-void require_equal_bodies(const Run& run, const Table& motion) {
+void require_equal_bodies(const Run& run, const Table& motion, const Radii& radii) {
   const auto [a, b] = body_motion(motion, 0);
-  const auto& radii = run.scene.radii;
-  if (differ(a.mass, b.mass) || (radii.size() == 2 && differ(radii[0], radii[1])))
-    throw InputError(fmt::format("{}: the bodies differ (masses {:.6g} and {:.6g}); fit-hertz fits "
-                                 "one radius for two equal bodies", run.dump.string(), a.mass,
-                                 b.mass));
+  if (differ(a.mass, b.mass) || differ(radii.value[0], radii.value[1]))
+    throw InputError(fmt::format("{}: the bodies differ (masses {:.6g} and {:.6g}, radii {:.6g} and "
+                                 "{:.6g}); fit-hertz fits one radius for two equal bodies",
+                                 run.dump.string(), a.mass, b.mass, radii.value[0],
+                                 radii.value[1]));
 }
 
 void add_hertz(Document& document, const Run& run, const HertzResult& hertz) {

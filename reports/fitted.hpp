@@ -21,9 +21,9 @@ HertzData hertz_data(const ForceCurve& curve);
 
 HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings);
 
-/// Throws InputError if the bodies' masses differ by more than 1 %, or the scene's radii: the fit
-/// has one R for both. `motion` is a motion table.
-void require_equal_bodies(const Run& run, const Table& motion);
+/// Throws InputError if the bodies' masses or radii differ by more than 1 %: the fit has one R for
+/// both. `motion` is a motion table.
+void require_equal_bodies(const Run& run, const Table& motion, const Radii& radii);
 
 /// Numbers of the fit under the names that other programs rely on.
 void add_hertz(Document& document, const Run& run, const HertzResult& hertz);

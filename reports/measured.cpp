@@ -22,14 +22,17 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
     throw InputError(fmt::format("{}: {} frame used; a collision needs at least two{}",
                                  run.dump.string(), measured.swept.steps.size(),
                                  measured.swept.damage.empty() ? "" : ". " + measured.swept.damage));
-  measured.motion = relative_motion(measured.swept.tables[0], measured.swept.steps,
-                                    frame_times(run, measured.swept));
+  measured.motion = told_of(run, [&] {
+    return relative_motion(measured.swept.tables[0], measured.swept.steps,
+                           frame_times(run, measured.swept));
+  });
   return measured;
 }
 
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
                                 const Radii& radii) {
-  ForceCurve curve = force_curve(motion, source, run.units, radii.sum());
+  ForceCurve curve =
+      told_of(run, [&] { return force_curve(motion, source, run.units, radii.sum()); });
   if (!curve.contact)
     throw InputError(fmt::format(
         "{}: no contact in this dump: the centres come no nearer than {:.6g}, {:.6g} more than the "

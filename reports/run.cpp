@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/run.hpp"
 
-#include <charconv>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "analyses/gyration.hpp"
@@ -13,26 +10,6 @@
 
 namespace mdana {
 namespace {
-
-double positive_number(std::string_view text, const std::string& option) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) ||
-      !std::isfinite(value))
-    throw InputError(fmt::format("radius '{}': R or R1,R2 expected, greater than zero", option));
-  return value;
-}
-
-std::array<double, 2> parse_radii(const std::string& text) {
-  const std::string_view view(text);
-  const std::size_t comma = view.find(',');
-  if (comma == std::string_view::npos) {
-    const double r = positive_number(view, text);
-    return {r, r};
-  }
-  return {positive_number(view.substr(0, comma), text),
-          positive_number(view.substr(comma + 1), text)};
-}
 
 Radii gyration_radii(const Run& run) {
   std::vector<std::unique_ptr<Analysis>> analyses;
@@ -48,21 +25,19 @@ Radii gyration_radii(const Run& run) {
 }  // namespace
 
 StatedUnits find_units(const RunOptions& options, const FrameHeader& first, const Scene& scene) {
-  std::optional<Units> stated;
-  if (!options.units.empty()) {
-    stated = parse_units(options.units);
-    if (!stated)
-      throw InputError(fmt::format("unknown units '{}' (known: {})", options.units, units_names()));
-    if (first.units && *first.units != *stated)
-      throw InputError(fmt::format("{}: the dump states units {}, not {}", first.place,
-                                   name(*first.units), options.units));
-    return {*stated, "option"};
+  const std::pair<std::optional<Units>, std::string> statements[] = {
+      {options.units, "option"}, {first.units, "dump"}, {scene.units, "scene"}};
+  std::optional<StatedUnits> found;
+  for (const auto& [units, source] : statements) {
+    if (!units) continue;
+    if (found && found->units != *units)
+      throw InputError(fmt::format("{}: units {} by the {}, but {} by the {} {}",
+                                   options.dump.string(), name(found->units), found->source,
+                                   name(*units), source,
+                                   source == "scene" ? scene.file.string() : ""));
+    if (!found) found = StatedUnits{*units, source};
   }
-  if (first.units && scene.units && *first.units != *scene.units)
-    throw InputError(fmt::format("{}: the dump states units {}, {} states {}", first.place,
-                                 name(*first.units), scene.file.string(), name(*scene.units)));
-  if (first.units) return {*first.units, "dump"};
-  if (scene.units) return {*scene.units, "scene"};
+  if (found) return *found;
   throw InputError(fmt::format("{}: the dump does not state its units; add --units NAME (one of {}) "
                                "or a scene file", options.dump.string(), units_names()));
 }
@@ -76,7 +51,7 @@ Masses find_masses(const RunOptions& options, const FrameHeader& first, const Sc
   };
   if (!options.masses.empty()) {
     need_type("option");
-    return Masses::by_type(parse_masses(options.masses), "option");
+    return Masses::by_type(options.masses, "option");
   }
   if (first.has_column("mass")) return Masses::from_column("dump");
   if (!scene.masses.empty()) {
@@ -110,7 +85,7 @@ Run prepare_run(const RunOptions& options) {
   Bodies bodies = find_bodies(options.dump, first, own_rule ? options.bodies : scene.bodies);
   const auto timestep = options.timestep ? options.timestep : scene.timestep;
   const std::string timestep_source =
-      first.time ? "dump" : options.timestep ? "option" : scene.timestep ? "scene" : "unknown";
+      options.timestep ? "option" : first.time ? "dump" : scene.timestep ? "scene" : "unknown";
   return {options.dump, format_of(options.dump), std::move(first), std::move(scene), units.units,
           units.source, timestep, timestep_source, std::move(masses), std::move(bodies),
           std::move(warnings)};
@@ -125,7 +100,7 @@ void require_two_bodies(const Run& run) {
 }
 
 Radii find_radii(const Run& run, const RunOptions& options) {
-  if (!options.radius.empty()) return {parse_radii(options.radius), "option"};
+  if (options.radius) return {*options.radius, "option"};
   if (run.scene.radii.size() == 2) {
     const std::string& how = run.scene.radius_definition;
     return {{run.scene.radii[0], run.scene.radii[1]},
@@ -144,7 +119,7 @@ double half_layer(const Run& run, std::optional<double> thickness) {
 }
 
 std::vector<double> frame_times(const Run& run, const SweepResult& swept) {
-  if (!swept.stated_times.empty()) return swept.stated_times;
+  if (run.timestep_source == "dump") return swept.stated_times;
   std::vector<double> times;
   if (!run.timestep) return times;
   for (const std::int64_t step : swept.steps)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "analyses/relative_motion.hpp"
 #include "analyses/sweep.hpp"
 #include "readers/bodies.hpp"
+#include "readers/input_error.hpp"
 #include "readers/masses.hpp"
 #include "readers/scene.hpp"
 
@@ -20,11 +22,11 @@ namespace mdana {
 struct RunOptions {
   std::filesystem::path dump;
   std::filesystem::path scene;      ///< empty: scene.toml beside the dump, if it names it
-  std::string units;                ///< LAMMPS name
-  std::string masses;               ///< TYPE=MASS,...
-  std::string bodies;               ///< rule, see find_bodies
-  std::string radius;               ///< R or R1,R2 [length]
-  std::optional<double> timestep;   ///< [time]
+  std::optional<Units> units;
+  std::map<std::int64_t, double> masses;           ///< [mass] by atom type; empty: not given
+  std::string bodies;                              ///< rule, see find_bodies; empty: not given
+  std::optional<std::array<double, 2>> radius;     ///< of body 1, 2 [length]
+  std::optional<double> timestep;                  ///< [time]
 };
 
 /// A dump with everything that is needed to analyse it, and where each of it came from.
@@ -50,9 +52,8 @@ struct Radii {
   double sum() const { return value[0] + value[1]; }
 };
 
-/// The units that option, dump or scene state, and which of them. An option may overrule the scene;
-/// what the dump states must agree with both.
-/// Throws InputError if none states them or they disagree.
+/// The units that option, dump or scene state, and which of them. Throws InputError if none states
+/// them or they disagree.
 struct StatedUnits {
   Units units;
   std::string source;
@@ -70,6 +71,16 @@ Scene find_scene(const RunOptions& options);
 /// Throws InputError naming what is missing and the option that supplies it.
 Run prepare_run(const RunOptions& options);
 
+/// The result of `work`; an InputError that it throws is told with the name of the dump.
+template <class Work>
+auto told_of(const Run& run, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(run.dump.string() + ": " + error.what());
+  }
+}
+
 /// Throws InputError unless the run has exactly two bodies.
 void require_two_bodies(const Run& run);
 
@@ -80,7 +91,7 @@ Radii find_radii(const Run& run, const RunOptions& options);
 /// sigma, else 0.5 in lj units. Throws InputError if none is known.
 double half_layer(const Run& run, std::optional<double> thickness);
 
-/// Times of the frames: as stated by the dump, else steps times the time step, else empty.
+/// Times of the frames: by the option, else as the dump states them, else by the scene, else empty.
 std::vector<double> frame_times(const Run& run, const SweepResult& swept);
 
 /// The best force source that the dump allows.

@@ -128,6 +128,19 @@ void physical_parameters(HertzFit& hertz, const Scaled& data) {
   hertz.correlation = product > 0 ? c(0, 1) / product : 0;
 }
 
+/// A contact that begins farther than this from the fitted points, in units of their range, is an
+/// extrapolation that they do not support: R, and with it E*, would be arbitrary. (Exact Hertz data
+/// with forces between 0.2 and 0.5 of the maximum have q = 2.2.)
+constexpr double farthest_contact = 5;
+
+void judge(HertzFit& hertz) {
+  const double q = hertz.fit.values[1];
+  if (!hertz.fit.usable || (q > 0 && q < farthest_contact)) return;
+  hertz.fit.usable = false;
+  hertz.fit.reason = fmt::format("the points do not show where contact begins: the fit puts it {:.3g} "
+                                 "times their range away", q);
+}
+
 Spread spread_about(double value, const std::vector<double>& values) {
   Spread spread{value, value, 0};
   for (const double v : values) {
@@ -175,6 +188,7 @@ HertzFit fit_hertz(const HertzData& data, const HertzSettings& settings) {
   const std::vector<double> start = straight_line(scaled);
   hertz.fit = solve_least_squares(residual, scaled.x.size(), start,
                                   {settings.loss, loss_scale(scaled, residual, start)});
+  judge(hertz);
   physical_parameters(hertz, scaled);
   hertz.rms_residual = rms_force_residual(hertz, scaled);
   return hertz;

@@ -52,8 +52,8 @@ std::vector<KnownAnswer> lammps_text_known() {
   const auto add = [&](std::string what, double computed, double exact) {
     answers.push_back({std::move(what), computed, exact, 16});
   };
-  const FrameHeader header = for_first_frame(
-      file.path, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
+  const FrameHeader header =
+      for_first_frame(file.path, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
         const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
         add("x inside a tilted box", x[0], -4 + 0.5 * 8 + 0.25 * 2 + 0.125 * -1);
         add("y inside a tilted box", y[0], -2 + 0.25 * 4 + 0.125 * 1);

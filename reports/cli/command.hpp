@@ -51,18 +51,26 @@ std::span<const Command* const> commands();
 
 /// Options that say what a dump does not: --scene --units --masses --bodies --radius --timestep.
 void add_run_options(Options& options);
+/// Throws UsageError at a value that cannot be understood.
 RunOptions run_options(const Values& values);
 
 /// Options of every command that measures: --json, -o, --stride, --memory.
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
 
-/// Refuses an -o that cannot be written (unknown suffix, no table for CSV) before work begins.
-void check_output(const Values& values);
+/// Refuses an -o that cannot be written before work begins: an unknown suffix, CSV of a command
+/// without a table, a directory that does not exist.
+void check_output(const Values& values, bool table);
+
+/// Prints on the standard output; throws std::runtime_error if that is full or closed.
+void print(const std::string& text);
 
 /// Prints the document (text, or JSON with --json) and writes -o; the exit code that follows from
 /// the document.
 int emit(const Values& values, const Document& document, const Table* table);
+
+/// The value if it is finite and greater than zero. Throws UsageError naming the option.
+double positive(double value, const char* option);
 
 /// The value of an option that must be one of a list. Throws UsageError.
 std::size_t choice(const Values& values, const std::string& option,

@@ -38,12 +38,11 @@ void add_options(Options& options) {
 }
 
 int run_command(const Values& values) {
-  check_output(values);
+  check_output(values, true);
   const RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
   std::optional<double> layer;
-  if (values.count("layer")) layer = values["layer"].as<double>();
-  if (layer && !(*layer > 0)) throw UsageError("--layer must be greater than zero");
+  if (values.count("layer")) layer = positive(values["layer"].as<double>(), "layer");
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const Radii radii = find_radii(run, options);

@@ -50,7 +50,7 @@ HertzSettings settings(const Values& values) {
 }
 
 int run_command(const Values& values) {
-  check_output(values);
+  check_output(values, true);
   const RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
   const HertzSettings wanted = settings(values);
@@ -58,10 +58,11 @@ int run_command(const Values& values) {
   require_two_bodies(run);
   const ForceSource source = best_force_source(run);
   const MeasuredMotion measured = measure_motion(run, parts_for(source), {}, sweeping);
-  require_equal_bodies(run, measured.swept.tables[0]);
   const Radii radii = find_radii(run, options);
+  require_equal_bodies(run, measured.swept.tables[0], radii);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
-  const HertzResult hertz = fit_hertz_with_spread(hertz_data(curve), wanted);
+  const HertzResult hertz =
+      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(curve), wanted); });
 
   Document document("fit-hertz", run);
   document.sweep(measured.swept, run.format);

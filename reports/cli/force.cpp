@@ -15,9 +15,10 @@ namespace po = boost::program_options;
 
 constexpr std::array<std::string_view, 4> source_names{"auto", "forces", "velocities", "positions"};
 
-ForceSource wanted_source(const Values& values, const Run& run) {
+/// Nothing stands for the best that the dump has.
+std::optional<ForceSource> source_option(const Values& values) {
   const std::size_t k = choice(values, "source", source_names);
-  return k == 0 ? best_force_source(run) : static_cast<ForceSource>(k - 1);
+  return k == 0 ? std::nullopt : std::optional(static_cast<ForceSource>(k - 1));
 }
 
 /// Velocities are read wherever the dump has them, for v; forces only if asked for.
@@ -67,13 +68,14 @@ void add_options(Options& options) {
 }
 
 int run_command(const Values& values) {
-  check_output(values);
+  check_output(values, true);
+  const std::optional<ForceSource> wanted = source_option(values);
   const RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const bool compare = values["compare"].as<bool>();
-  const ForceSource source = wanted_source(values, run);
+  const ForceSource source = wanted ? *wanted : best_force_source(run);
   const Radii radii = find_radii(run, options);
   const MeasuredMotion measured = measure_motion(run, parts(run, source, compare), {}, sweeping);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
@@ -82,7 +84,7 @@ int run_command(const Values& values) {
   document.sweep(measured.swept, run.format);
   add_force(document, curve, source, radii);
   warn_of_force(document, curve);
-  Table table = force_table(curve, measured.motion);
+  Table table = force_table(curve, measured.motion, measured.swept.tables[0]);
   if (compare) add_comparison(document, run, measured.motion, curve, source, table);
   return emit(values, document, &table);
 }

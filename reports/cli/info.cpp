@@ -166,7 +166,7 @@ void add_frames(Document& document, const FrameHeader& first, const Walk& walk,
 }
 
 int run_command(const Values& values) {
-  check_output(values);
+  check_output(values, false);
   const RunOptions options = run_options(values);
   const FrameHeader first = first_header(options.dump);
   const Walk walk = walk_frames(options.dump, first);

@@ -54,25 +54,25 @@ Values parse(const Command& command, int argc, char** argv) {
   positional.add("input", 1);
   Values values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
-  po::notify(values);
   return values;
 }
 
 int run(const Command& command, int argc, char** argv) {
-  const Values values = parse(command, argc, argv);
+  Values values = parse(command, argc, argv);
   if (values["help"].as<bool>()) {
-    std::cout << help(command);
+    print(help(command));
     return done;
   }
+  po::notify(values);  // required options; after help, which needs none
   if (!values.count("input"))
     throw UsageError(fmt::format("{} is missing", command.positional));
   catch_signals();
   return command.run(values);
 }
 
-int report_usage(std::string_view command, std::string_view what) {
-  std::cerr << fmt::format("mdana: {}\nTry: mdana {}{}--help\n", what, command,
-                           command.empty() ? "" : " ");
+int report_usage(std::string_view name, std::string_view what) {
+  const std::string command = find(name) ? fmt::format("{} ", name) : "";
+  std::cerr << fmt::format("mdana: {}\nTry: mdana {}--help\n", what, command);
   return usage;
 }
 
@@ -82,24 +82,28 @@ int report_failure(std::string_view what, int code) {
   return code;
 }
 
-/// Runs the program and turns every way to end into an exit code.
-int main_guarded(int argc, char** argv) {
-  const std::string_view name = argc > 1 ? argv[1] : "";
-  if (name.empty()) return report_usage("", "a command is missing");
+int dispatch(std::string_view name, int argc, char** argv) {
+  if (name.empty()) throw UsageError("a command is missing");
   if (name == "--help" || name == "-h" || name == "help") {
-    std::cout << overview();
+    print(overview());
     return done;
   }
   if (name == "--version") {
-    std::cout << "mdana " << version << "\n";
+    print(fmt::format("mdana {}\n", version));
     return done;
   }
   const Command* command = find(name);
-  if (!command) return report_usage("", fmt::format("there is no command '{}'", name));
+  if (!command) throw UsageError(fmt::format("there is no command '{}'", name));
+  const int code = run(*command, argc - 1, argv + 1);
+  end_progress();
+  return code;
+}
+
+/// Runs the program and turns every way to end into an exit code.
+int main_guarded(int argc, char** argv) {
+  const std::string_view name = argc > 1 ? argv[1] : "";
   try {
-    const int code = run(*command, argc - 1, argv + 1);
-    end_progress();
-    return code;
+    return dispatch(name, argc, argv);
   } catch (const po::error& e) {
     return report_usage(name, e.what());
   } catch (const UsageError& e) {

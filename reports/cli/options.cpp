@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "readers/input_error.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
@@ -24,7 +27,34 @@ std::string text_of(const Values& values, const char* option) {
   return values.count(option) ? values[option].as<std::string>() : std::string();
 }
 
+Units units_option(const std::string& text) {
+  const auto units = parse_units(text);
+  if (!units) throw UsageError(fmt::format("--units {}: one of {} expected", text, units_names()));
+  return *units;
+}
+
+/// "R" or "R1,R2".
+std::array<double, 2> radius_option(const std::string& text) {
+  const auto number = [&](std::string_view part) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc{} || end != part.data() + part.size())
+      throw UsageError(fmt::format("--radius {}: R or R1,R2 expected", text));
+    return positive(value, "radius");
+  };
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return {number(text), number(text)};
+  const std::string_view view(text);
+  return {number(view.substr(0, comma)), number(view.substr(comma + 1))};
+}
+
 }  // namespace
+
+double positive(double value, const char* option) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw UsageError(fmt::format("--{} must be a number greater than zero", option));
+  return value;
+}
 
 void add_run_options(Options& options) {
   options.add_options()                                                                           //
@@ -43,20 +73,19 @@ void add_run_options(Options& options) {
        "time between steps (default: times in the dump, else scene)");
 }
 
-RunOptions run_options(const Values& values) {
+RunOptions run_options(const Values& values) try {
   RunOptions options;
   options.dump = text_of(values, "input");
   options.scene = text_of(values, "scene");
-  options.units = text_of(values, "units");
-  options.masses = text_of(values, "masses");
-  options.bodies = text_of(values, "bodies");
-  options.radius = text_of(values, "radius");
-  if (values.count("timestep")) {
-    options.timestep = values["timestep"].as<double>();
-    if (!(*options.timestep > 0) || !std::isfinite(*options.timestep))
-      throw UsageError("--timestep must be greater than zero");
-  }
+  if (values.count("units")) options.units = units_option(text_of(values, "units"));
+  if (values.count("masses")) options.masses = parse_masses(text_of(values, "masses"));
+  if (values.count("bodies")) check_bodies_rule(options.bodies = text_of(values, "bodies"));
+  if (values.count("radius")) options.radius = radius_option(text_of(values, "radius"));
+  if (values.count("timestep"))
+    options.timestep = positive(values["timestep"].as<double>(), "timestep");
   return options;
+} catch (const InputError& error) {
+  throw UsageError(error.what());
 }
 
 void add_output_options(Options& options, bool table) {
@@ -81,22 +110,28 @@ SweepOptions sweep_options(const Values& values) {
   return options;
 }
 
-void check_output(const Values& values) {
+void check_output(const Values& values, bool table) {
   const auto output = output_of(values);
-  if (output.empty() || output.extension() == ".json" || output.extension() == ".csv") return;
-  throw UsageError(fmt::format("-o {}: the name must end in .csv or .json", output.string()));
+  if (output.empty()) return;
+  if (output.extension() != ".json" && !(table && output.extension() == ".csv"))
+    throw UsageError(fmt::format("-o {}: the name must end in {}", output.string(),
+                                 table ? ".csv or .json" : ".json"));
+  const auto directory = output.parent_path();
+  if (!directory.empty() && !std::filesystem::is_directory(directory))
+    throw std::runtime_error(fmt::format("-o {}: No such file or directory: {}",
+                                         output.string(), directory.string()));
+}
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw std::runtime_error("cannot write to the standard output");
 }
 
 int emit(const Values& values, const Document& document, const Table* table) {
   const auto output = output_of(values);
   if (output.extension() == ".json") write_file(output, document.to_json());
-  if (output.extension() == ".csv") {
-    if (!table) throw UsageError("this command has no table; use -o FILE.json");
-    write_file(output, to_csv(*table));
-  }
-  std::cout << (values["json"].as<bool>() ? document.to_json() : document.to_terminal())
-            << std::flush;
-  if (!std::cout) throw std::runtime_error("cannot write to the standard output");
+  if (output.extension() == ".csv") write_file(output, to_csv(*table));
+  print(values["json"].as<bool>() ? document.to_json() : document.to_terminal());
   return document.damaged() ? damaged_input : done;
 }
 

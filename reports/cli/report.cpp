@@ -31,7 +31,8 @@ void add_options(Options& options) {
 void write_tables(const Study& study, const std::filesystem::path& directory) {
   for (const StudyRun& entry : study.runs) {
     if (!entry.result) continue;
-    Table table = force_table(entry.result->curve, entry.result->measured.motion);
+    const MeasuredMotion& measured = entry.result->measured;
+    Table table = force_table(entry.result->curve, measured.motion, measured.swept.tables[0]);
     const auto a = entry.result->contact_table().column("contact_radius");
     table.add_column({"contact_radius", dimension::length}, {a.begin(), a.end()});
     write_file(directory / (file_name(entry.name) + ".csv"), to_csv(table));
@@ -59,17 +60,14 @@ int run_command(const Values& values) {
   analyse_study(study, sweeping, [](const std::string& what) { std::cerr << what << "\n"; });
   std::filesystem::create_directory(output.path() / "figures");
   write_tables(study, output.path());
-  const std::string json = study_json(study).dump(2) + "\n";
+  const std::string json = to_text(study_json(study));
   write_file(output.path() / "results.json", json);
   write_file(output.path() / "index.html", study_page(study, output.path() / "figures"));
   output.commit();
 
   for (const StudyRun& entry : study.runs)
     if (!entry.result) std::cerr << fmt::format("{}: failed: {}\n", entry.name, entry.failure);
-  if (values["json"].as<bool>())
-    std::cout << json << std::flush;
-  else
-    std::cout << (place / "index.html").string() << "\n" << std::flush;
+  print(values["json"].as<bool>() ? json : (place / "index.html").string() + "\n");
   return exit_code(study);
 }
 

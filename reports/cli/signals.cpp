@@ -13,9 +13,17 @@ namespace {
 std::atomic<int> stop{0};
 bool progress_shown = false;
 
-void on_signal(int number) {
-  stop = number;
-  std::signal(number, SIG_DFL);
+void on_signal(int number) { stop = number; }
+
+/// The second signal of a kind ends the program; system calls are not restarted. What the caller
+/// ignores (nohup) stays ignored.
+void catch_signal(int number) {
+  struct sigaction action {};
+  if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = on_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  ::sigaction(number, &action, nullptr);
 }
 
 }  // namespace
@@ -23,8 +31,8 @@ void on_signal(int number) {
 const std::atomic<int>& stop_signal() { return stop; }
 
 void catch_signals() {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  catch_signal(SIGINT);
+  catch_signal(SIGTERM);
 }
 
 std::function<void(std::uint64_t)> progress_printer() {

@@ -56,7 +56,8 @@ class NoDump(Case):
 
     def test_not_a_dump(self):
         for name, data in (
-            ("text", b"step X F\n1 2 3\n"), ("xyz", b"2\ncomment\nC 0 0 0\nC 1 0 0\n"), ("binary", bytes(range(256)) * 40),
+            ("text", b"step X F\n1 2 3\n"), ("xyz", b"2\ncomment\nC 0 0 0\nC 1 0 0\n"),
+            ("binary", bytes(range(256)) * 40),
             ("gzip magic only", b"\x1f\x8b"), ("gzip garbage", b"\x1f\x8b" + bytes(100)),
             ("gzip of text", gzip.compress(b"step X F\n1 2 3\n")), ("other ITEM", b"ITEM: SOMETHING\n3\n"),
         ):
@@ -212,8 +213,8 @@ class Unusable(Case):
 
     def test_too_few_points_for_the_fit(self):
         dump = self.dump(dumps.hertz_bounce())
-        for arguments in (["--min-force-fraction", "0.9999"], ["--max-force-fraction", "0.001", "--min-force-fraction", "0"],
-                          ["--stride", "10"]):
+        for arguments in (["--min-force-fraction", "0.9999"], ["--stride", "10"],
+                          ["--max-force-fraction", "0.001", "--min-force-fraction", "0"]):
             with self.subTest(arguments):
                 self.refused("fit-hertz", dump, *arguments, says=(dump, "frames", "at least"))
 

@@ -64,7 +64,7 @@ class Documents(Case):
                     self.assertEqual(record["hash"], known)
 
     def test_hash_is_of_the_bytes_on_disk(self):
-        """Also of a plain file, of one longer than any buffer, and of one with something behind the last whole frame."""
+        """Also of a plain file longer than any buffer, and of one with something behind the last whole frame."""
         if xxh3(b"") is None:
             self.skipTest("no xxhash")
         whole = dumps.read_text(SAMPLE)

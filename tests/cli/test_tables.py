@@ -43,8 +43,8 @@ class Recomputed(Case):
         self.assert_close(table["v"], speed, 1e-12, max(abs(speed)), "v")
 
     def test_force_from_velocities(self):
-        """To 1e-9 of F_max: rounding is 1e-16 v m*/dt, that is 1e-14 of F_max; five points give 1e-9 room for a solver of
-        badly scaled equations."""
+        """To 1e-9 of F_max: rounding is 1e-16 v m*/dt, that is 1e-14 of F_max; the rest is room for a solver of badly
+        scaled equations."""
         wanted = self.forces(1, self.velocity)
         table = self.table("force", SAMPLE)
         self.assert_close(table["F"], wanted, 1e-9, max(wanted), "F")
@@ -101,7 +101,8 @@ class Recomputed(Case):
     def test_contact_radius(self):
         """To 1e-10 of the greatest: rounding of coordinates of 10 is 1e-15; the rest is room for other ways to sum. The
         atoms in the layer must be the same: none is within 1e-9 of its faces."""
-        for arguments, radii, half_layer in [([], (5, 5), 0.5), (["--radius", "5,4.5", "--layer", "1.3"], (5, 4.5), 0.65)]:
+        for arguments, radii, half_layer in [([], (5, 5), 0.5),
+                                             (["--radius", "5,4.5", "--layer", "1.3"], (5, 4.5), 0.65)]:
             with self.subTest(arguments):
                 wanted = [self.contact_radius(frame, centre, radii, half_layer)
                           for frame, centre in zip(self.frames, self.centre)]
@@ -127,9 +128,9 @@ class ClosedForm(Case):
         return dumps.write(self.dir / f"quartic-{units}.dump", frames)
 
     def test_force_of_a_quartic_motion(self):
-        """F = m* X'' with m* of unequal bodies, along an oblique centre line, in units with and without a factor (LAMMPS'
-        mvv2e, from its update.cpp). Tolerance: positions are rounded at 1e-15 and divided by dt^2 = 1/16, with weights up
-        to 10, against X'' of 1: 1e-12; velocities lose one dt less."""
+        """F = m* X'' with m* of unequal bodies, along an oblique centre line, in units with and without a factor
+        (LAMMPS' mvv2e, from its update.cpp). Tolerance: positions are rounded at 1e-15 and divided by dt^2 = 1/16, with
+        weights up to 10, against X'' of 1: 1e-12; velocities lose one dt less."""
         t = np.arange(25) / 4 - 3
         for units, factor in [("lj", 1.0), ("metal", 1.0364269e-4), ("real", 48.88821291**2), ("si", 1.0)]:
             masses = 2.0, 6.0
@@ -144,13 +145,14 @@ class ClosedForm(Case):
                     self.assert_close(table["v"], -(t + t**3 / 25), 1e-12, 10, "v")
                     document = self.document("force", dump, *options, "--source", source)
                     self.assertAlmostEqual(document["delta_max"]["value"], 1, delta=1e-13)
-                    self.assertAlmostEqual(document["F_min_loading"]["value"], reduced * factor, delta=1e-11 * max(wanted))
-                    # F depends on X only, so loading and unloading coincide; delta rises by 5.31 with F up to F_max.
+                    self.assertAlmostEqual(document["F_min_loading"]["value"], reduced * factor,
+                                           delta=1e-11 * max(wanted))
+                    # F depends on X only, so loading and unloading coincide.
                     self.assertAlmostEqual(document["hysteresis_area"]["value"], 0, delta=1e-11 * max(wanted))
 
     def test_bounce_with_loss(self):
-        """Springs, loaded with k and unloaded with 4k: F_max, depth and loss are known. F is linear in delta between the
-        frames, so that trapezoids are exact; what is left is rounding, 1e-13 of positions against a depth of 0.07."""
+        """Springs, loaded with k and unloaded with 4k: F_max, depth and loss are known. F is linear in delta between
+        the frames, so that trapezoids are exact; what is left is rounding: 1e-15 of positions, a depth of 0.07."""
         frames, top, depth, lost = dumps.spring_bounce()
         dump = dumps.write(self.dir / "bounce.dump.gz", frames)
         document = self.document("force", dump, "--radius", "5", "--source", "forces")

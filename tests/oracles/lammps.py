@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the oracle tests share: the helpers of tests/cli, and runs of sample-data/generate."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+sys.dont_write_bytecode = True
+
+import running  # noqa: E402
+
+GENERATE = running.ROOT / "sample-data" / "generate"
+
+
+def need_lammps():
+    """Ends the test as skipped if there is no LAMMPS."""
+    if not shutil.which("lmp"):
+        running.skip("no LAMMPS: 'lmp' is not in the PATH (Debian: apt install lammps)")
+
+
+def generate(*arguments, code=0, timeout=300, **settings):
+    """Runs the generator and insists on its exit code."""
+    done = subprocess.run([sys.executable, GENERATE, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=timeout, check=False, **settings)
+    if done.returncode != code:
+        raise AssertionError(f"generate {' '.join(map(str, arguments))}: exit {done.returncode}, not {code}\n"
+                             f"{done.stdout}{done.stderr}")
+    return done
+
+
+def ranks():
+    """Two where MPI is there, which halves the time."""
+    return 2 if shutil.which("mpirun") else 1
