@@ -19,25 +19,65 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// Standard deviation of what changes from frame to frame without rule: by the median of the third
+/// differences, which smooth changes leave small (1.4826 for the median of a normal distribution,
+/// sqrt(20) for the differences).
+double noise(const std::vector<double>& series) {
+  if (series.size() < 8) return 0;
+  std::vector<double> size;
+  for (std::size_t i = 3; i < series.size(); ++i)
+    size.push_back(std::abs(series[i] - 3 * series[i - 1] + 3 * series[i - 2] - series[i - 3]));
+  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+  std::nth_element(size.begin(), middle, size.end());
+  return 1.4826 * *middle / std::sqrt(20.0);
+}
+
 Span contact_span(const std::vector<double>& force) {
   double strongest = 0;
   for (const double f : force) strongest = std::max(strongest, std::abs(f));
-  const auto touches = [&](double f) { return std::abs(f) >= contact_force_fraction * strongest; };
-  const auto first = std::find_if(force.begin(), force.end(), touches);
-  const auto last = std::find_if(force.rbegin(), force.rend(), touches);
-  return {static_cast<std::size_t>(first - force.begin()),
-          force.size() - 1 - static_cast<std::size_t>(last - force.rbegin())};
+  const double limit = std::max(contact_force_fraction * strongest,
+                                std::min(4 * noise(force), 0.1 * strongest));
+  Span span{force.size(), 0};
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const bool alone = (i == 0 || std::abs(force[i - 1]) < limit) &&
+                       (i + 1 == force.size() || std::abs(force[i + 1]) < limit);
+    if (std::abs(force[i]) < limit || alone) continue;
+    span.first = std::min(span.first, i);
+    span.last = i;
+  }
+  if (span.first == force.size()) span = {0, force.size() - 1};  // one strong frame: no rule holds
+  return span;
 }
 
-/// The bodies met if they overlap, or if they pushed each other and that changed their relative
-/// kinetic energy by a thousandth, which rounding in a derivative does not.
-bool have_contact(const ForceCurve& curve, const RelativeMotion& motion) {
+/// What sampling may have missed of a maximum: twice the rise of a parabola through the greatest
+/// sample and its neighbours above it, since the parabola is only the first term.
+double missed_above(const std::vector<double>& series) {
+  const auto top = std::max_element(series.begin(), series.end());
+  if (top == series.begin() || top + 1 == series.end()) return 0;
+  const double before = *top - *(top - 1), after = *top - *(top + 1);
+  const double slope = 0.5 * (before - after), curvature = before + after;
+  return curvature > 0 ? slope * (slope / curvature) : 0;
+}
+
+/// Integral of the repulsive part of the force over time.
+double repulsive_impulse(const ForceCurve& curve, const std::vector<double>& times) {
+  double impulse = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    impulse += 0.5 * (std::max(curve.force[i], 0.0) + std::max(curve.force[i - 1], 0.0)) *
+               (times[i] - times[i - 1]);
+  return impulse;
+}
+
+/// The bodies met if they overlap, or if they pushed each other with a thousandth of their relative
+/// momentum, which rounding and overshoot of a derivative do not.
+bool have_contact(const ForceCurve& curve, const RelativeMotion& motion, Units units) {
   if (largest(curve.delta) >= 0) return true;
   if (!(largest(curve.force) > 0)) return false;
-  const std::vector<double> energy = squared_speed(motion);
-  if (energy.empty()) return true;
-  const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
-  return *most - *least > 1e-3 * *most;
+  const std::vector<double> speeds = squared_speed(motion);
+  if (speeds.empty() || motion.times.empty()) return true;
+  const double momentum = force_per_mass_acceleration(units) * motion.reduced_mass *
+                          std::sqrt(largest(speeds));
+  return repulsive_impulse(curve, motion.times) > 1e-3 * momentum;
 }
 
 std::vector<Cycle> find_cycles(const std::vector<double>& delta, Span contact) {
@@ -97,7 +137,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   for (const double x : curve.distance) curve.delta.push_back(radius_sum - x);
   curve.speed = approach_speed(motion);
   curve.force = interparticle_force(motion, source, units);
-  curve.contact = have_contact(curve, motion);
+  curve.contact = have_contact(curve, motion, units);
   curve.phase.assign(curve.delta.size(), Phase::approach);
   curve.delta_max = {largest(curve.delta), {}, dimension::length};
   curve.force_max = {largest(curve.force), {}, dimension::force};
@@ -120,9 +160,13 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   return curve;
 }
 
+void widen(Value& value, double difference) {
+  value.error = std::max(value.error.value_or(0), std::abs(difference));
+}
+
 void widen(Value& value, const Value& coarse) {
   if (std::isnan(value.value) || std::isnan(coarse.value)) return;
-  value.error = std::max(value.error.value_or(0), std::abs(value.value - coarse.value));
+  widen(value, value.value - coarse.value);
 }
 
 }  // namespace
@@ -141,6 +185,8 @@ ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units u
                        double radius_sum) {
   ForceCurve curve = measure(motion, source, units, radius_sum);
   if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
+  widen(curve.force_max, missed_above(curve.force));
+  widen(curve.delta_max, missed_above(curve.delta));
   for (const std::size_t first : {0, 1}) {
     const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum);
     widen(curve.force_max, coarse.force_max);

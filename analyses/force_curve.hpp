@@ -22,7 +22,9 @@ enum class Outcome { bounce, stick, unresolved };
 std::string_view name(Phase phase);
 std::string_view name(Outcome outcome);
 
-/// Bodies touch from the first to the last frame in which |F| is at least this part of its maximum.
+/// Bodies touch from the first to the last frame in which |F| is at least this part of its maximum,
+/// or four standard deviations of its noise if that is more (but at most a tenth of the maximum).
+/// Single frames above it do not count.
 inline constexpr double contact_force_fraction = 0.01;
 /// A turning point of delta counts if delta goes back by at least this part of its rise in contact.
 inline constexpr double turning_point_fraction = 0.01;
@@ -33,7 +35,8 @@ struct Cycle {
 };
 
 /// Force against mutual approach, and what is read off it. Errors are the largest difference to the
-/// same number from every second frame (even ones, odd ones).
+/// same number from every second frame (even ones, odd ones) and, for maxima, twice the rise of a
+/// parabola above the greatest sample.
 struct ForceCurve {
   std::vector<double> distance;  ///< X [length]
   std::vector<double> delta;     ///< R1 + R2 - X [length]

@@ -19,6 +19,9 @@ Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3
   return derivative(motion.times, samples, rule);
 }
 
+/// Masses summed in another order of the atoms differ by rounding; a lost atom of 10^8 by 1e-8.
+bool differ(double mass, double first) { return std::abs(mass - first) > 1e-10 * first; }
+
 /// Measured velocities, else the derivative of the positions, else no columns.
 Eigen::Matrix3Xd best_velocity(const RelativeMotion& motion) {
   if (motion.velocity.cols() > 0) return motion.velocity;
@@ -32,6 +35,9 @@ std::vector<double> along_centre_line(const RelativeMotion& motion,
   std::vector<double> result;
   for (Eigen::Index i = 0; i < motion.frames(); ++i) {
     const Eigen::Vector3d line = motion.position.col(i);
+    if (line.isZero(0))
+      throw InputError(fmt::format("step {}: the centres of the bodies coincide",
+                                   motion.steps[static_cast<std::size_t>(i)]));
     result.push_back(factor * (vectors.col(i).dot(line) / line.norm()));
   }
   return result;
@@ -50,6 +56,13 @@ std::vector<T> every(const std::vector<T>& values, std::size_t first, std::size_
   std::vector<T> chosen;
   for (std::size_t i = first; i < values.size(); i += stride) chosen.push_back(values[i]);
   return chosen;
+}
+
+void check_times(const RelativeMotion& motion) {
+  for (std::size_t i = 1; i < motion.times.size(); ++i)
+    if (!(motion.times[i] > motion.times[i - 1]))
+      throw InputError(fmt::format("step {}: the time {} does not come after {}", motion.steps[i],
+                                   motion.times[i], motion.times[i - 1]));
 }
 
 }  // namespace
@@ -104,6 +117,7 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
   result.position.resize(3, n);
   result.velocity.resize(3, has_velocity ? n : 0);
   result.acceleration.resize(3, has_force ? n : 0);
+  check_times(result);
   double mass1 = 0, mass2 = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto [a, b] = body_motion(motion, static_cast<std::size_t>(i));
@@ -112,15 +126,12 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
       mass2 = b.mass;
       result.reduced_mass = mass1 * (mass2 / (mass1 + mass2));
     }
-    if (a.mass != mass1 || b.mass != mass2)
+    if (differ(a.mass, mass1) || differ(b.mass, mass2))
       throw InputError(fmt::format("step {}: the masses of the bodies ({:.10g}, {:.10g}) differ "
                                    "from those of the first frame ({:.10g}, {:.10g}): atoms were "
                                    "lost or changed body", steps[static_cast<std::size_t>(i)],
                                    a.mass, b.mass, mass1, mass2));
     result.position.col(i) = b.position - a.position;
-    if (result.position.col(i).isZero(0))
-      throw InputError(fmt::format("step {}: the centres of the bodies coincide",
-                                   steps[static_cast<std::size_t>(i)]));
     if (has_velocity) result.velocity.col(i) = b.velocity - a.velocity;
     if (has_force) result.acceleration.col(i) = b.force / b.mass - a.force / a.mass;
   }

@@ -41,7 +41,7 @@ struct RelativeMotion {
 };
 
 /// From a motion table. `times` may be empty. Throws InputError if the reduced mass is not constant
-/// (atoms of a body lost or gained) or the bodies' centres coincide.
+/// (atoms of a body lost or gained) or times do not grow.
 RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
                                const std::vector<double>& times);
 
@@ -54,7 +54,8 @@ std::vector<double> squared_speed(const RelativeMotion& motion);
 
 /// Force between the bodies along their centre line, positive if repulsive, in the unit system's
 /// force unit: m* times relative acceleration (Yoshida, Kokubo & Tanaka 2024, Sec. IV A 1).
-/// Throws InputError if the source is not there or frames are too few to differentiate.
+/// Throws InputError if the source is not there, frames are too few to differentiate, or the centres
+/// coincide.
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
                                         Units units);
 

@@ -27,6 +27,7 @@ class Sweep {
   Sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
         std::span<const std::unique_ptr<Analysis>> analyses, const SweepOptions& options)
       : path_(dump.string()), bodies_(bodies), masses_(masses), analyses_(analyses), options_(options) {
+    if (options.stride == 0) throw std::invalid_argument("sweep: the stride must be at least 1");
     for (const auto& analysis : analyses) {
       needs_.push_back(analysis->needs());
       wanted_.add(needs_.back().columns);

@@ -53,7 +53,7 @@ struct SweepResult {
 /// of a frame a second time (from memory if they fit, else read again); for them the list must hold
 /// a motion analysis, by convention its first.
 /// Frames from one that is damaged on are left out and `damage` says why; throws InputError if
-/// nothing can be used at all, Interrupted if `stop` is set.
+/// nothing can be used at all, Interrupted if `stop` is set, std::invalid_argument at stride 0.
 SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
                   std::span<const std::unique_ptr<Analysis>> analyses,
                   const SweepOptions& options = {});

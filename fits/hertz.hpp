@@ -46,7 +46,7 @@ struct HertzFit {
   Fit fit;
 };
 
-/// Throws InputError if fewer than three frames lie within the settings' range.
+/// Throws InputError if fewer than three frames lie within the settings' range, or at NaN and inf.
 HertzFit fit_hertz(const HertzData& data, const HertzSettings& settings = {});
 
 /// What the choices of method, thresholds and phase do to one parameter.

@@ -86,19 +86,24 @@ Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) 
   if (!first.has_column("id"))
     throw InputError(fmt::format("{}: no column 'id' to follow clusters by", first.place));
   std::vector<std::int64_t> ids;
-  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(first.atoms));
-  Eigen::Index n = 0;
+  std::vector<double> coordinates;  // grows with what is read: the stated number may be wrong
   for_first_frame(dump, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
     const auto id = block.integer("id");
     const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
     ids.insert(ids.end(), id.begin(), id.end());
-    for (std::size_t i = 0; i < x.size(); ++i) positions.col(n++) << x[i], y[i], z[i];
+    for (std::size_t i = 0; i < x.size(); ++i)
+      coordinates.insert(coordinates.end(), {x[i], y[i], z[i]});
   });
-  const Clusters clusters = find_clusters(positions);
-  auto runs = cluster_runs(clusters, ids, ids.size() / 100 + 1);
-  return {"id", std::move(runs),
-          fmt::format("clusters of atoms within {:.4g} of each other in the first frame",
-                      clusters.link_distance)};
+  const Eigen::Map<const Eigen::Matrix3Xd> positions(coordinates.data(), 3,
+                                                     static_cast<Eigen::Index>(ids.size()));
+  try {
+    const Clusters clusters = find_clusters(positions);
+    return {"id", cluster_runs(clusters, ids, ids.size() / 100 + 1),
+            fmt::format("clusters of atoms within {:.4g} of each other in the first frame",
+                        clusters.link_distance)};
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", first.place, error.what()));
+  }
 }
 
 Bodies by_default(const std::filesystem::path& dump, const FrameHeader& first) {

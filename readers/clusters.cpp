@@ -14,7 +14,7 @@
 namespace mdana {
 namespace {
 
-using Cell = std::array<std::int32_t, 3>;
+using Cell = std::array<std::int64_t, 3>;
 
 /// Points sorted by the cubic cell that holds them; only occupied cells are kept, so that empty
 /// space costs nothing.
@@ -30,16 +30,16 @@ class CellList {
   template <class Use>
   void for_neighbours(Eigen::Index i, Use&& use) const {
     const Cell c = cell_of(i);
-    for (std::int32_t dx = -1; dx <= 1; ++dx)
-      for (std::int32_t dy = -1; dy <= 1; ++dy)
+    for (std::int64_t dx = -1; dx <= 1; ++dx)
+      for (std::int64_t dy = -1; dy <= 1; ++dy)
         for_row({c[0] + dx, c[1] + dy, c[2] - 1}, {c[0] + dx, c[1] + dy, c[2] + 1}, i, use);
   }
 
  private:
   Cell cell_of(Eigen::Index i) const {
-    const Eigen::Vector3d scaled = (points_.col(i) - origin_) / edge_;
-    return {static_cast<std::int32_t>(scaled.x()), static_cast<std::int32_t>(scaled.y()),
-            static_cast<std::int32_t>(scaled.z())};
+    const Eigen::Vector3d scaled = ((points_.col(i) - origin_) / edge_).cwiseMin(0x1p62);
+    return {static_cast<std::int64_t>(scaled.x()), static_cast<std::int64_t>(scaled.y()),
+            static_cast<std::int64_t>(scaled.z())};
   }
 
   template <class Use>
@@ -138,7 +138,10 @@ std::vector<Bodies::Run> cluster_runs(const Clusters& clusters, std::span<const 
 
   std::map<std::uint32_t, BodyIndex> body_of_cluster;
   std::vector<Bodies::Run> runs;
-  for (const auto& [id, cluster] : by_id) {
+  for (std::size_t i = 0; i < by_id.size(); ++i) {
+    const auto [id, cluster] = by_id[i];
+    if (i > 0 && by_id[i - 1].first == id)
+      throw InputError(fmt::format("clusters: two atoms have the id {}", id));
     if (clusters.sizes[cluster] < smallest) continue;
     const auto next = static_cast<BodyIndex>(body_of_cluster.size() + 1);
     const BodyIndex body = body_of_cluster.emplace(cluster, next).first->second;

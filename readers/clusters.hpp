@@ -26,6 +26,7 @@ Clusters find_clusters(const Eigen::Matrix3Xd& points);
 
 /// Components of at least `smallest` points as bodies 1, 2, ... ordered by lowest id; the ids of a
 /// body as sorted runs. Points of smaller components belong to no body.
+/// Throws InputError if an id stands twice.
 std::vector<Bodies::Run> cluster_runs(const Clusters& clusters, std::span<const std::int64_t> ids,
                                       std::size_t smallest);
 

@@ -13,6 +13,13 @@
 
 namespace mdana {
 
+/// How decimal text shows the numbers of a column.
+struct PrintedPrecision {
+  int digits = 0;      ///< significant digits at most; 0 if the column is not decimal fractions
+  int decimals = 0;    ///< digits behind the point at most
+  bool fixed = false;  ///< every number has as many decimals (as by %.6f), else digits count (%.10g)
+};
+
 /// The frames of one open input. Cutting is serial; converting a chunk needs nothing but the chunk
 /// and may run on any thread while the next chunk is cut (not while `next` moves on).
 class FrameSource {
@@ -34,9 +41,8 @@ class FrameSource {
   /// Back to the first atom of the current frame.
   virtual void restart_frame() = 0;
 
-  /// Significant digits that the numbers of a column are printed with, estimated from the chunk;
-  /// 0 for columns that are not decimal text.
-  virtual int printed_digits(const Chunk& chunk, std::string_view column) const = 0;
+  /// How the numbers of a column are printed, estimated from the chunk.
+  virtual PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const = 0;
 
   virtual InputRecord record() = 0;
 };

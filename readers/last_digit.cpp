@@ -27,10 +27,11 @@ std::uint64_t hash(std::string_view text) {
 /// Uniform in [-1/2, 1/2).
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53 - 0.5; }
 
-/// One unit in the last of `digits` significant digits of the value.
-double last_digit_unit(double value, int digits) {
+/// One unit in the last printed digit of the value.
+double last_digit_unit(double value, const PrintedPrecision& printed) {
   if (value == 0 || !std::isfinite(value)) return 0;
-  return std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
+  if (printed.fixed) return std::pow(10.0, -printed.decimals);
+  return std::pow(10.0, std::floor(std::log10(std::abs(value))) - printed.digits + 1);
 }
 
 /// The random moves of one column of a chunk.
@@ -38,18 +39,24 @@ class Moves {
  public:
   Moves(const FrameSource& source, const Chunk& chunk, std::int64_t step, std::uint64_t seed,
         std::string_view column)
-      : digits_(source.printed_digits(chunk, column)),
+      : printed_(source.printed_precision(chunk, column)),
         start_(mix(mix(mix(seed) ^ static_cast<std::uint64_t>(step)) ^ hash(column)) +
                chunk.number * AtomBlock::capacity) {}
 
   double operator()(std::size_t atom, double value) const {
-    return digits_ == 0 ? 0.0 : uniform(mix(start_ + atom)) * last_digit_unit(value, digits_);
+    if (printed_.digits == 0) return 0.0;
+    return uniform(mix(start_ + atom)) * last_digit_unit(value, printed_);
   }
 
  private:
-  int digits_;
+  PrintedPrecision printed_;
   std::uint64_t start_;
 };
+
+Eigen::Vector3d image_of(const AtomBlock& block, std::size_t i) {
+  return {static_cast<double>(block.integer("ix")[i]), static_cast<double>(block.integer("iy")[i]),
+          static_cast<double>(block.integer("iz")[i])};
+}
 
 void move_positions(const PositionSource& positions, const Box& box, AtomBlock& block,
                     const std::function<Moves(const std::string&)>& moves_of) {
@@ -60,8 +67,12 @@ void move_positions(const PositionSource& positions, const Box& box, AtomBlock& 
   if (positions.columns[0] != "x")
     for (std::size_t k = 0; k < 3; ++k) raw[k] = block.real(positions.columns[k]);
   for (std::size_t i = 0; i < block.atoms(); ++i) {
+    const Eigen::Vector3d image = positions.image_flags && !positions.scaled
+                                      ? Eigen::Vector3d(box.edges * image_of(block, i))
+                                      : Eigen::Vector3d::Zero();
     Eigen::Vector3d move;
-    for (std::size_t k = 0; k < 3; ++k) move[static_cast<int>(k)] = moves[k](i, raw[k][i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      move[static_cast<int>(k)] = moves[k](i, raw[k][i] - image[static_cast<int>(k)]);
     if (positions.scaled) move = box.edges * move;
     x[i] += move.x();
     y[i] += move.y();
@@ -79,7 +90,8 @@ void move_last_digits(const FrameSource& source, const Chunk& chunk, const Frame
   const auto positions = position_source(header.columns);
   if (wanted.has("x") && positions) move_positions(*positions, header.box, block, moves_of);
   for (const std::string& column : wanted.names()) {
-    if (column == "x" || column == "y" || column == "z" || is_integer_column(column)) continue;
+    const bool position = column == "x" || column == "y" || column == "z";
+    if (position || column == "mass" || is_integer_column(column)) continue;
     const Moves moves = moves_of(column);
     const auto values = block.make_real(column);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += moves(i, values[i]);

@@ -9,6 +9,7 @@ namespace mdana {
 
 /// Adds to every wanted real column that the dump prints as decimal text a random number, uniform
 /// within half a unit of the value's last printed digit: what the dump leaves open about the value.
+/// Masses are constants of the model and stay.
 /// The same seed moves the same value in the same way, whatever the threads or memory. Positions
 /// are moved by the digits of the columns that they are made from.
 void move_last_digits(const FrameSource& source, const Chunk& chunk, const FrameHeader& header,

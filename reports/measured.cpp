@@ -67,7 +67,8 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
   document.json("cycles", curve.cycles.size());
   document.line("cycles", fmt::format("{} loading and unloading", curve.cycles.size()));
   document.json("contact_rule",
-                fmt::format("|F| at least {} of its maximum", contact_force_fraction));
+                fmt::format("|F| at least {} of its maximum, and above its noise",
+                            contact_force_fraction));
 }
 
 void warn_of_force(Document& document, const ForceCurve& curve) {

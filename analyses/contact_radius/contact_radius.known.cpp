@@ -31,8 +31,16 @@ struct Atoms {
   }
 };
 
-/// Contact radius for equal spheres with centres at -4n and 4n and a layer of thickness 1.
-double contact_radius(const Atoms& atoms) {
+/// Two spheres with centres at -4n and `second` n.
+struct Spheres {
+  std::array<double, 2> radius;
+  double second;
+};
+
+constexpr Spheres equal{{5, 5}, 4};
+
+/// Contact radius from a layer of thickness 1.
+double contact_radius(const Atoms& atoms, const Spheres& spheres = equal) {
   AtomBlock block;
   block.reset(0, atoms.at.size());
   const auto x = block.make_real("x"), y = block.make_real("y"), z = block.make_real("z");
@@ -44,9 +52,9 @@ double contact_radius(const Atoms& atoms) {
   const std::vector<double> mass(atoms.at.size(), 1.0);
   std::array<BodyMotion, 2> motion;
   motion[0].position = -4 * n;
-  motion[1].position = 4 * n;
+  motion[1].position = spheres.second * n;
   const FrameHeader header;
-  const auto partial = make_contact_radius({{5, 5}, 0.5})->begin({header, motion});
+  const auto partial = make_contact_radius({spheres.radius, 0.5})->begin({header, motion});
   partial->add({block, atoms.body, mass});
   std::array<double, 3> row{};
   partial->close(row);
@@ -75,6 +83,9 @@ std::vector<KnownAnswer> contact_radius_known() {
   return {{"a of a ring is sqrt(2) its radius", contact_radius(ring), 3 * std::sqrt(2.0), 14},
           {"a of a disk is its radius", contact_radius(disk(2, 40)), 2, 14},
           {"a without the atoms outside", contact_radius(beside), 3 * std::sqrt(2.0), 14},
+          // 3-4-5 and 3-1-sqrt(10): the spheres meet in a circle of radius 3 at the height 0.
+          {"a of unequal spheres", contact_radius(beside, {{5, std::sqrt(10.0)}, 1}),
+           3 * std::sqrt(2.0), 14},
           {"a without contact", contact_radius(apart), 0, 16}};
 }
 

@@ -170,6 +170,10 @@ std::string_view name(HertzMethod method) {
 std::string_view name(HertzPhase phase) { return phase == HertzPhase::loading ? "loading" : "all"; }
 
 HertzFit fit_hertz(const HertzData& data, const HertzSettings& settings) {
+  const auto finite = [](double v) { return std::isfinite(v); };
+  if (!std::all_of(data.distance.begin(), data.distance.end(), finite) ||
+      !std::all_of(data.force.begin(), data.force.end(), finite))
+    throw InputError("Hertz fit: a distance or a force is not finite");
   const double f_max = data.force.empty()
                            ? 0.0
                            : *std::max_element(data.force.begin(), data.force.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "fits/force_law.hpp"
@@ -20,6 +21,11 @@ struct Scales {
 
 const double least_d = -std::pow(0.75, 2.0 / 3.0);  // pull-off
 
+/// Beyond pull-off by more than rounding of delta/delta0 can explain.
+bool detached(double d) {
+  return d < least_d * (1 + 8 * std::numeric_limits<double>::epsilon());
+}
+
 /// sqrt(u) on the stable branch, the larger root of 3 s^4 - 2 s = d, for d >= least_d. Newton from
 /// above on a convex function: monotone, no bracketing needed.
 double stable_root(double d) {
@@ -37,7 +43,7 @@ double stable_root(double d) {
 double contact_radius(double delta, const ElasticContact& c) {
   const Scales scales(c);
   const double d = delta / scales.delta;
-  if (d < least_d) return 0;
+  if (detached(d)) return 0;
   const double s = stable_root(d);
   return scales.radius * s * s;
 }
@@ -45,7 +51,7 @@ double contact_radius(double delta, const ElasticContact& c) {
 double force(double delta, const ElasticContact& c) {
   const Scales scales(c);
   const double d = delta / scales.delta;
-  if (d < least_d) return 0;
+  if (detached(d)) return 0;
   const double s = stable_root(d);
   const double s3 = s * s * s;
   return scales.force * 4 * s3 * (s3 - 1);

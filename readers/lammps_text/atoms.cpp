@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -82,14 +83,26 @@ std::size_t count_columns(std::string_view line) {
   return count;
 }
 
-int significant_digits(std::string_view token) {
-  int digits = 0;
-  bool leading = true;
+/// Digits of one printed number.
+struct Digits {
+  int significant = 0;
+  int decimals = 0;
+  bool exponent = false;
+};
+
+Digits digits_of(std::string_view token) {
+  Digits digits;
+  bool leading = true, fraction = false;
   for (const char c : token) {
-    if (c == 'e' || c == 'E') break;
+    if (c == 'e' || c == 'E') {
+      digits.exponent = true;
+      break;
+    }
+    if (c == '.') fraction = true;
     if (c < '0' || c > '9') continue;
     if (c != '0') leading = false;
-    if (!leading) ++digits;
+    if (!leading) ++digits.significant;
+    if (fraction) ++digits.decimals;
   }
   return digits;
 }
@@ -155,14 +168,24 @@ void AtomLayout::convert(const Chunk& chunk, const std::string& path, AtomBlock&
   if (positions_wanted_) make_positions(positions_, box_, block);
 }
 
-int printed_digits(const Chunk& chunk, std::size_t file_column) {
+PrintedPrecision printed_precision(const Chunk& chunk, std::size_t file_column) {
   Cursor c{chunk.bytes.data(), chunk.bytes.data() + chunk.bytes.size()};
-  int digits = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(chunk.atoms, 1000); ++i) {
-    if (c.skip_columns(file_column)) digits = std::max(digits, significant_digits(c.token()));
+  PrintedPrecision printed;
+  bool exponents = false;
+  int least_decimals = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < chunk.atoms; ++i) {
+    if (c.skip_columns(file_column)) {
+      const Digits digits = digits_of(c.token());
+      printed.digits = std::max(printed.digits, digits.significant);
+      printed.decimals = std::max(printed.decimals, digits.decimals);
+      least_decimals = std::min(least_decimals, digits.decimals);
+      exponents = exponents || digits.exponent;
+    }
     c.next_line();
   }
-  return digits;
+  if (printed.decimals == 0 && !exponents) return {};
+  printed.fixed = !exponents && least_decimals == printed.decimals;
+  return printed;
 }
 
 }  // namespace mdana::lammps_text

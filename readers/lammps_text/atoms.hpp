@@ -6,6 +6,7 @@
 
 #include "readers/block.hpp"
 #include "readers/columns.hpp"
+#include "readers/format.hpp"
 #include "readers/frame.hpp"
 #include "readers/positions.hpp"
 
@@ -38,7 +39,8 @@ class AtomLayout {
   Box box_;
 };
 
-/// Most significant digits among the first thousand values of a column.
-int printed_digits(const Chunk& chunk, std::size_t file_column);
+/// How the values of a column are printed, from the whole chunk. A column of whole numbers only
+/// counts as exact (no digits).
+PrintedPrecision printed_precision(const Chunk& chunk, std::size_t file_column);
 
 }  // namespace mdana::lammps_text

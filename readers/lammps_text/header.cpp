@@ -5,6 +5,7 @@
 #include <charconv>
 #include <sstream>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
@@ -116,6 +117,8 @@ class HeaderReader {
       const auto w = words(needed_line());
       if (w.size() != width) fail(fmt::format("{} numbers expected in the box bounds", width));
       for (std::size_t j = 0; j < width; ++j) rows(k, static_cast<int>(j)) = number<double>(w[j]);
+      if (!rows.row(k).allFinite() || (!abc && !(rows(k, 1) > rows(k, 0))))
+        fail("bounds of a box must be finite, and the upper one above the lower");
     }
     if (abc) {
       header_.box.edges = rows.leftCols<3>().transpose();
@@ -123,6 +126,8 @@ class HeaderReader {
     } else {
       header_.box = box_from_bounds(rows.col(0), rows.col(1), rows(0, 2), rows(1, 2), rows(2, 2));
     }
+    const double volume = header_.box.edges.determinant();
+    if (abc ? volume == 0 : !(volume > 0)) fail("the bounds and tilts are no box");
     periodicity(flags);
     has_box_ = true;
   }

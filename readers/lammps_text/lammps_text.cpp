@@ -55,11 +55,11 @@ class LammpsText final : public FrameSource {
     lines_left_ = header_.atoms;
   }
 
-  int printed_digits(const Chunk& chunk, std::string_view column) const override {
+  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
     const auto it = std::find(header_.columns.begin(), header_.columns.end(), column);
-    if (it == header_.columns.end()) return 0;
-    return lammps_text::printed_digits(chunk,
-                                       static_cast<std::size_t>(it - header_.columns.begin()));
+    if (it == header_.columns.end()) return {};
+    return lammps_text::printed_precision(chunk,
+                                          static_cast<std::size_t>(it - header_.columns.begin()));
   }
 
   InputRecord record() override { return lines_.bytes().record(); }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "analyses/motion.hpp"
+#include "analyses/relative_motion.hpp"
+#include "tests/contracts/catalogue.hpp"
+#include "tests/readers/throws_with.hpp"
+
+namespace mdana {
+namespace {
+
+using test::made_up_collision;
+using Steps = std::vector<std::int64_t>;
+
+class SweepOfDump : public ::testing::Test {
+ protected:
+  SweepResult run(const std::string& text, const SweepOptions& options = {}) {
+    return test::sweep_catalogue(folder_.write("dump", text), test::made_up_scene(), options);
+  }
+  std::string whole(std::size_t frames) { return dump_text(made_up_collision(frames, 20)); }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SweepOfDump, GivesARowAFrame) {
+  const SweepResult result = run(whole(5));
+  EXPECT_EQ(result.steps, (Steps{0, 100, 200, 300, 400}));
+  EXPECT_EQ(result.stated_times, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+  for (const Table& table : result.tables) EXPECT_EQ(table.rows(), 5u);
+  EXPECT_TRUE(result.damage.empty());
+  EXPECT_FALSE(result.positions_may_jump);
+  EXPECT_TRUE(result.input.hash.starts_with("xxh3:"));
+}
+
+TEST_F(SweepOfDump, StrideTakesEveryNthFromTheFirst) {
+  SweepOptions options;
+  options.stride = 3;
+  const SweepResult some = run(whole(8), options), all = run(whole(8));
+  EXPECT_EQ(some.steps, (Steps{0, 300, 600}));
+  EXPECT_EQ(some.tables[0].column("x1")[2], all.tables[0].column("x1")[6]);
+  EXPECT_EQ(some.input.hash, all.input.hash);
+}
+
+TEST_F(SweepOfDump, FramesLimitTheRows) {
+  SweepOptions options;
+  options.frames = 2;
+  EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 100}));
+  options.stride = 2;
+  EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 200}));
+  options.frames = 100;
+  EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 200, 400}));
+}
+
+TEST_F(SweepOfDump, FramesBeforeTheDamageAreKept) {
+  const std::string text = whole(4);
+  const std::size_t third = text.find("\n200\n");
+  std::string wrong = text;
+  wrong.replace(wrong.find(" -", third + 200), 2, " ?");
+  const struct {
+    std::string text, what;
+  } cases[] = {
+      {text.substr(0, third + 500), "file ends"},
+      {wrong, "is not a number"},
+      {text.substr(0, third) + "\n100" + text.substr(third + 4), "does not come after"},
+  };
+  const SweepResult whole_result = run(text);
+  for (const auto& c : cases) {
+    const SweepResult result = run(c.text);
+    EXPECT_EQ(result.steps, (Steps{0, 100})) << c.what;
+    EXPECT_TRUE(test::contains(result.damage, c.what)) << result.damage;
+    for (std::size_t k = 0; k < result.tables.size(); ++k)
+      for (std::size_t i = 0; i < result.tables[k].columns().size(); ++i) {
+        ASSERT_EQ(result.tables[k].column(i).size(), 2u);
+        EXPECT_EQ(result.tables[k].column(i)[1], whole_result.tables[k].column(i)[1]);
+      }
+  }
+}
+
+TEST_F(SweepOfDump, DamageInTheFirstFrameIsAnError) {
+  const std::string text = whole(1);
+  EXPECT_INPUT_ERROR(run(text.substr(0, text.size() - 20)), "dump", "the file ends");
+}
+
+TEST_F(SweepOfDump, BodyWithoutAtomsIsNamed) {
+  auto frames = made_up_collision(2, 20);
+  for (auto& atom : frames[1].atoms) atom.type = 1;
+  const SweepResult result = run(dump_text(frames));
+  EXPECT_EQ(result.steps, (Steps{0}));
+  EXPECT_TRUE(test::contains(result.damage, "body 2 has no atoms")) << result.damage;
+}
+
+TEST_F(SweepOfDump, TimesAreStatedByAllFramesOrNone) {
+  auto frames = made_up_collision(3, 20);
+  frames[2].time.reset();
+  EXPECT_TRUE(test::contains(run(dump_text(frames)).damage, "some frames state their time"));
+  frames[0].time.reset();
+  EXPECT_TRUE(test::contains(run(dump_text(frames)).damage, "some frames state their time"));
+  frames[1].time.reset();
+  EXPECT_TRUE(run(dump_text(frames)).damage.empty());
+}
+
+TEST_F(SweepOfDump, StopsAtASignal) {
+  const std::atomic<int> signal = 15;
+  SweepOptions options;
+  options.stop = &signal;
+  try {
+    run(whole(2), options);
+    ADD_FAILURE() << "not interrupted";
+  } catch (const Interrupted& interrupted) {
+    EXPECT_EQ(interrupted.signal, 15);
+  }
+}
+
+TEST_F(SweepOfDump, TellsItsProgress) {
+  std::vector<std::uint64_t> seen;
+  SweepOptions options;
+  options.progress = [&](std::uint64_t frames) { seen.push_back(frames); };
+  run(whole(3), options);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 2, 3}));
+}
+
+TEST_F(SweepOfDump, KnowsThatPositionsMayJump) {
+  std::string text = whole(2);
+  text.replace(text.rfind("ff ff ff"), 8, "ff pp ff");
+  EXPECT_TRUE(run(text).positions_may_jump);
+}
+
+/// Motion of a made-up dump of 17 digits, the last ones moved or not.
+SweepResult motion_of(const std::filesystem::path& dump, const Masses& masses,
+                      std::optional<std::uint64_t> seed) {
+  SweepOptions options;
+  options.last_digit_seed = seed;
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_motion({}));
+  return sweep(dump, find_bodies(dump, first_header(dump), "type"), masses, analyses, options);
+}
+
+// Positions in steps of 2^-10 are printed with ten decimals; half a unit of the last is 5e-11.
+TEST_F(SweepOfDump, MovedLastDigitsMoveTheResultsALittle) {
+  auto frames = made_up_collision(2, 20);
+  for (auto& frame : frames)
+    for (auto& atom : frame.atoms) atom.x = (atom.x * 1024).array().round() / 1024;
+  const auto dump = folder_.write("dump", dump_text(frames));
+  const double plain = motion_of(dump, Masses::uniform(""), {}).tables[0].column("x1")[0];
+  const double moved = motion_of(dump, Masses::uniform(""), 1).tables[0].column("x1")[0];
+  EXPECT_NE(plain, moved);
+  EXPECT_NEAR(plain, moved, 5e-11);
+}
+
+TEST_F(SweepOfDump, MovedLastDigitsLeaveTheMasses) {
+  const auto dump = folder_.write("dump", whole(2));
+  const SweepResult moved = motion_of(dump, Masses::from_column(""), 1);
+  const SweepResult plain = motion_of(dump, Masses::from_column(""), {});
+  EXPECT_EQ(moved.tables[0].column("mass1")[0], plain.tables[0].column("mass1")[0]);
+  EXPECT_NO_THROW(relative_motion(moved.tables[0], moved.steps, {}));
+}
+
+}  // namespace
+}  // namespace mdana
