@@ -14,6 +14,8 @@ class PlainFile final : public ByteSource {
   explicit PlainFile(std::unique_ptr<RawFile> file) : file_(std::move(file)) {}
 
   std::size_t read(std::span<char> into) override { return file_->read(into); }
+  std::optional<std::string_view> mapped() override { return file_->mapped(); }
+  void passed(std::string_view bytes) override { file_->passed(bytes); }
   void mark() override { marked_ = file_->position(); }
   void reset() override { file_->seek(marked_); }
   InputRecord record() override { return file_->record(); }

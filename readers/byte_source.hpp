@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "readers/input_record.hpp"
 
@@ -17,6 +19,10 @@ class ByteSource {
 
   /// Bytes delivered; fewer than asked for only at the end.
   virtual std::size_t read(std::span<char> into) = 0;
+
+  /// All bytes at once if the file can be mapped into memory; who uses them tells `passed`, in order.
+  virtual std::optional<std::string_view> mapped() { return std::nullopt; }
+  virtual void passed(std::string_view) {}
 
   virtual void mark() = 0;   ///< remembers this place
   virtual void reset() = 0;  ///< goes back to it

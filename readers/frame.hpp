@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "readers/box.hpp"
@@ -27,10 +28,14 @@ struct FrameHeader {
 
 /// Bytes of one block of atoms as they stand in the file, before conversion.
 struct Chunk {
-  std::uint64_t number = 0;       ///< the block's number in its frame
+  /// Readable bytes behind every chunk, so that converters may load whole vector registers.
+  static constexpr std::size_t padding = 256;
+
+  std::uint64_t number = 0;      ///< the block's number in its frame
   std::size_t atoms = 0;
-  std::uint64_t first_line = 0;   ///< where it starts, for messages
-  std::vector<char> bytes;
+  std::uint64_t first_line = 0;  ///< where it starts, for messages
+  std::string_view bytes;        ///< of the mapped file, or of `storage`
+  std::vector<char> storage;
 };
 
 }  // namespace mdana

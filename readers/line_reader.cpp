@@ -28,34 +28,46 @@ Newlines find_newlines(std::string_view text, std::size_t wanted) {
 
 }  // namespace
 
-LineReader::LineReader(std::unique_ptr<ByteSource> bytes)
-    : bytes_(std::move(bytes)), buffer_(buffer_size) {}
+LineReader::LineReader(std::unique_ptr<ByteSource> bytes) : bytes_(std::move(bytes)) {
+  if (const auto mapped = bytes_->mapped()) {
+    mapped_ = true;
+    rest_ = *mapped;
+  } else {
+    buffer_.resize(buffer_size);
+    rest_ = {buffer_.data(), 0};
+  }
+}
 
 /// Appends bytes to the undelivered ones, growing the buffer for a line longer than it.
 bool LineReader::refill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-  end_ -= begin_;
-  begin_ = 0;
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got = bytes_->read({buffer_.data() + end_, buffer_.size() - end_});
-  end_ += got;
-  unfinished_ = got == 0 && end_ > begin_;
+  std::size_t got = 0;
+  if (!mapped_) {
+    std::memmove(buffer_.data(), rest_.data(), rest_.size());
+    if (rest_.size() == buffer_.size()) buffer_.resize(2 * buffer_.size());
+    got = bytes_->read({buffer_.data() + rest_.size(), buffer_.size() - rest_.size()});
+    rest_ = {buffer_.data(), rest_.size() + got};
+  }
+  unfinished_ = got == 0 && !rest_.empty();
   return got > 0;
 }
 
+void LineReader::deliver(std::size_t bytes) {
+  if (mapped_) bytes_->passed(rest_.substr(0, bytes));
+  rest_.remove_prefix(bytes);
+}
+
 std::optional<std::string_view> LineReader::line() {
-  std::size_t seen = 0;  // searched before, relative to begin_
+  std::size_t seen = 0;  // searched before
   while (true) {
-    const std::string_view rest(buffer_.data() + begin_, end_ - begin_);
-    const std::size_t newline = rest.find('\n', seen);
+    const std::size_t newline = rest_.find('\n', seen);
     if (newline != std::string_view::npos) {
-      begin_ += newline + 1;
+      std::string_view text = rest_.substr(0, newline);
+      deliver(newline + 1);
       ++number_;
-      std::string_view text = rest.substr(0, newline);
       if (text.ends_with('\r')) text.remove_suffix(1);
       return text;
     }
-    seen = rest.size();
+    seen = rest_.size();
     if (!refill()) return std::nullopt;
   }
 }
@@ -64,10 +76,9 @@ template <class Sink>
 std::size_t LineReader::pass(std::size_t count, Sink&& sink) {
   std::size_t passed = 0;
   while (passed < count) {
-    const std::string_view rest(buffer_.data() + begin_, end_ - begin_);
-    const Newlines found = find_newlines(rest, count - passed);
-    sink(rest.substr(0, found.end));
-    begin_ += found.end;
+    const Newlines found = find_newlines(rest_, count - passed);
+    sink(rest_.substr(0, found.end));
+    deliver(found.end);
     passed += found.count;
     if (passed < count && !refill()) break;
   }
@@ -75,11 +86,23 @@ std::size_t LineReader::pass(std::size_t count, Sink&& sink) {
   return passed;
 }
 
-std::size_t LineReader::take(std::size_t count, std::vector<char>& into) {
-  into.clear();
-  return pass(count, [&](std::string_view lines) {
-    into.insert(into.end(), lines.begin(), lines.end());
+LineReader::Lines LineReader::take(std::size_t count, std::vector<char>& storage,
+                                   std::size_t padding) {
+  if (mapped_) {  // one piece, since nothing is refilled
+    std::string_view text;
+    const std::size_t got = pass(count, [&](std::string_view lines) { text = lines; });
+    if (rest_.size() >= padding) return {got, text};
+    storage.assign(text.begin(), text.end());
+    storage.resize(text.size() + padding);
+    return {got, {storage.data(), text.size()}};
+  }
+  storage.clear();
+  const std::size_t got = pass(count, [&](std::string_view lines) {
+    storage.insert(storage.end(), lines.begin(), lines.end());
   });
+  const std::size_t size = storage.size();
+  storage.resize(size + padding);
+  return {got, {storage.data(), size}};
 }
 
 std::size_t LineReader::skip(std::size_t count) {
@@ -87,18 +110,20 @@ std::size_t LineReader::skip(std::size_t count) {
 }
 
 void LineReader::mark() {
-  marked_rest_.assign(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-                      buffer_.begin() + static_cast<std::ptrdiff_t>(end_));
   marked_number_ = number_;
+  marked_rest_ = rest_;
+  if (mapped_) return;
+  marked_copy_.assign(rest_.begin(), rest_.end());
   bytes_->mark();
 }
 
 void LineReader::reset() {
-  std::copy(marked_rest_.begin(), marked_rest_.end(), buffer_.begin());
-  begin_ = 0;
-  end_ = marked_rest_.size();
   number_ = marked_number_;
   unfinished_ = false;
+  rest_ = marked_rest_;
+  if (mapped_) return;
+  std::copy(marked_copy_.begin(), marked_copy_.end(), buffer_.begin());
+  rest_ = {buffer_.data(), marked_copy_.size()};
   bytes_->reset();
 }
 

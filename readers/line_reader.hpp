@@ -20,8 +20,13 @@ class LineReader {
   /// the text. A last line without LF counts as cut off: see `unfinished`.
   std::optional<std::string_view> line();
 
-  /// Moves up to `count` whole lines, ends included, to `into`. Returns how many.
-  std::size_t take(std::size_t count, std::vector<char>& into);
+  /// Up to `count` whole lines, ends included: where they are mapped, or copied to `storage`. At
+  /// least `padding` readable bytes follow them.
+  struct Lines {
+    std::size_t count;
+    std::string_view text;
+  };
+  Lines take(std::size_t count, std::vector<char>& storage, std::size_t padding = 0);
 
   /// Passes over up to `count` whole lines. Returns how many.
   std::size_t skip(std::size_t count);
@@ -36,16 +41,18 @@ class LineReader {
 
  private:
   bool refill();
+  void deliver(std::size_t bytes);
   template <class Sink>
   std::size_t pass(std::size_t count, Sink&& sink);
 
   std::unique_ptr<ByteSource> bytes_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0;  ///< not yet delivered: buffer_[begin_, end_)
-  std::size_t end_ = 0;
+  bool mapped_ = false;
+  std::vector<char> buffer_;  ///< unused if the file is mapped
+  std::string_view rest_;     ///< not yet delivered: in the buffer, or all that is left of the file
   std::uint64_t number_ = 0;
   bool unfinished_ = false;
-  std::vector<char> marked_rest_;
+  std::vector<char> marked_copy_;
+  std::string_view marked_rest_;
   std::uint64_t marked_number_ = 0;
 };
 

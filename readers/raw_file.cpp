@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/raw_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
@@ -38,6 +40,11 @@ struct RawFile::Hash {
   Hash(const Hash&) = delete;
   Hash& operator=(const Hash&) = delete;
 
+  void add(std::string_view more) {
+    XXH3_128bits_update(state, more.data(), more.size());
+    bytes += more.size();
+  }
+
   XXH3_state_t* state = XXH3_createState();
   std::uint64_t bytes = 0;  ///< hashed so far, from the start of the file
 };
@@ -45,7 +52,29 @@ struct RawFile::Hash {
 RawFile::RawFile(const std::filesystem::path& path)
     : path_(path), descriptor_(open_for_reading(path)), hash_(std::make_unique<Hash>()) {}
 
-RawFile::~RawFile() { ::close(descriptor_); }
+RawFile::~RawFile() {
+  if (!map_.empty()) ::munmap(const_cast<char*>(map_.data()), map_.size());
+  ::close(descriptor_);
+}
+
+std::optional<std::string_view> RawFile::mapped() {
+  if (!map_.empty()) return map_;
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0 || status.st_size <= 0) return std::nullopt;
+  const auto size = static_cast<std::size_t>(status.st_size);
+  void* start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor_, 0);
+  if (start == MAP_FAILED) return std::nullopt;
+  ::madvise(start, size, MADV_SEQUENTIAL);
+  map_ = {static_cast<const char*>(start), size};
+  return map_;
+}
+
+void RawFile::passed(std::string_view bytes) {
+  const auto first = static_cast<std::uint64_t>(bytes.data() - map_.data());
+  const std::uint64_t known = hash_->bytes - std::min(hash_->bytes, first);
+  if (known >= bytes.size()) return;
+  hash_->add(bytes.substr(known));
+}
 
 void RawFile::seek(std::uint64_t position) {
   if (position > hash_->bytes)
@@ -65,8 +94,7 @@ std::size_t RawFile::read(std::span<char> into) {
   }
   if (position_ + got > hash_->bytes) {
     const std::size_t known = hash_->bytes - position_;
-    XXH3_128bits_update(hash_->state, into.data() + known, got - known);
-    hash_->bytes = position_ + got;
+    hash_->add({into.data() + known, got - known});
   }
   position_ += got;
   return got;

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "readers/input_record.hpp"
 
@@ -22,6 +24,11 @@ class RawFile {
   /// Bytes read; fewer than asked for only at the end of the file.
   std::size_t read(std::span<char> into);
 
+  /// The whole file as mapped memory; nothing if it is empty or cannot be mapped.
+  std::optional<std::string_view> mapped();
+  /// Counts mapped bytes as read. They must come in their order; what was passed before is ignored.
+  void passed(std::string_view bytes);
+
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 
@@ -34,6 +41,7 @@ class RawFile {
   int descriptor_ = -1;
   std::uint64_t position_ = 0;
   std::unique_ptr<Hash> hash_;
+  std::string_view map_;
 };
 
 }  // namespace mdana

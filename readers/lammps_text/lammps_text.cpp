@@ -41,7 +41,9 @@ class LammpsText final : public FrameSource {
     chunk.number = (header_.atoms - lines_left_) / AtomBlock::capacity;
     chunk.first_line = lines_.number() + 1;
     chunk.atoms = std::min<std::size_t>(lines_left_, AtomBlock::capacity);
-    expect_lines(lines_.take(chunk.atoms, chunk.bytes), chunk.atoms);
+    const LineReader::Lines lines = lines_.take(chunk.atoms, chunk.storage, Chunk::padding);
+    chunk.bytes = lines.text;
+    expect_lines(lines.count, chunk.atoms);
     lines_left_ -= chunk.atoms;
     return true;
   }
