@@ -2,9 +2,7 @@
 #include "readers/lammps_text/atoms.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
+#include <bit>
 #include <limits>
 
 #include <fmt/format.h>
@@ -14,73 +12,27 @@
 namespace mdana::lammps_text {
 namespace {
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-constexpr bool ends_token(char c) { return is_blank(c) || c == '\n'; }
-
 /// A place in the chunk's text, which always ends with a newline.
 struct Cursor {
   const char* at;
-  const char* end;
 
   void skip_blanks() {
     while (is_blank(*at)) ++at;
   }
   bool at_line_end() const { return *at == '\n'; }
-  std::string_view token() const {
-    const char* stop = at;
-    while (!ends_token(*stop)) ++stop;
-    return {at, static_cast<std::size_t>(stop - at)};
-  }
-  void skip_token() {
-    while (!ends_token(*at)) ++at;
-  }
-  /// Passes over `count` columns and the blanks before the next; false if the line ends first.
-  bool skip_columns(std::size_t count) {
-    skip_blanks();
-    for (; count > 0 && !at_line_end(); --count) {
-      skip_token();
-      skip_blanks();
-    }
-    return !at_line_end();
-  }
-  void next_line() {
-    at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at))) + 1;
+  std::string_view take_token() {
+    const char* start = at;
+    while (static_cast<unsigned char>(*at) > ' ') ++at;
+    return {start, static_cast<std::size_t>(at - start)};
   }
 };
 
-/// Moves the cursor behind the number; false if the token is none.
-template <class T>
-bool parse(Cursor& c, T& value) {
-  const auto [stop, error] = std::from_chars(c.at, c.end, value);
-  if (error == std::errc{} && ends_token(*stop)) {
-    c.at = stop;
-    return true;
-  }
-  if constexpr (std::is_same_v<T, double>) {
-    if (error == std::errc::result_out_of_range && ends_token(*stop)) {  // 1e-400, 1e400
-      value = std::strtod(std::string(c.token()).c_str(), nullptr);
-      c.at = stop;
-      return true;
-    }
-  }
-  return false;
-}
-
-struct Target {
-  std::size_t skip;  ///< columns between the slot before and this one
-  double* real;
-  std::int64_t* integer;
-};
-
-std::size_t count_columns(std::string_view line) {
-  std::size_t count = 0;
-  bool inside = false;
-  for (const char c : line) {
-    if (c == '\n') break;
-    count += !is_blank(c) && !inside;
-    inside = !is_blank(c);
-  }
-  return count;
+/// The columns of the line that begins at the cursor, which is left behind the line.
+std::vector<std::string_view> take_line(Cursor& c) {
+  std::vector<std::string_view> tokens;
+  for (c.skip_blanks(); !c.at_line_end(); c.skip_blanks()) tokens.push_back(c.take_token());
+  ++c.at;
+  return tokens;
 }
 
 /// Digits of one printed number.
@@ -137,51 +89,100 @@ void AtomLayout::add(const FrameHeader& header, const std::string& name) {
   slots_.push_back({column, name, is_integer_column(name)});
 }
 
-void AtomLayout::convert(const Chunk& chunk, const std::string& path, AtomBlock& block) const {
-  block.reset(chunk.number, chunk.atoms);
-  std::vector<Target> targets;
-  std::size_t next_column = 0;
-  for (const Slot& s : slots_) {
-    targets.push_back({s.file_column - next_column,
-                       s.integer ? nullptr : block.make_real(s.name).data(),
-                       s.integer ? block.make_integer(s.name).data() : nullptr});
-    next_column = s.file_column + 1;
+/// Converts the lines of one chunk: batches of lines by the kernel, the lines and tokens that it
+/// leaves one by one, which also finds the words for what is wrong with them.
+class AtomLayout::Conversion {
+ public:
+  Conversion(const AtomLayout& layout, const Chunk& chunk, const std::string& path,
+             AtomBlock& block, const LineKernel& kernel)
+      : layout_(layout), chunk_(chunk), path_(path), kernel_(kernel) {
+    shape_.columns = static_cast<std::uint32_t>(layout.columns_);
+    for (const Slot& s : layout.slots_) {
+      shape_.wanted.push_back(static_cast<std::uint32_t>(s.file_column));
+      targets_.push_back({s.integer ? nullptr : block.make_real(s.name).data(),
+                          s.integer ? block.make_integer(s.name).data() : nullptr});
+    }
+    batches_.resize(targets_.size());
   }
 
-  Cursor c{chunk.bytes.data(), chunk.bytes.data() + chunk.bytes.size()};
-  for (std::size_t i = 0; i < chunk.atoms; ++i) {
-    const char* line = c.at;
-    for (std::size_t k = 0; k < targets.size(); ++k) {
-      const Target& t = targets[k];
-      const auto where = [&] { return fmt::format("{}:{}", path, chunk.first_line + i); };
-      if (!c.skip_columns(t.skip))
-        throw InputError(fmt::format("{}: {} columns (the header names {})", where(),
-                                     count_columns({line, static_cast<std::size_t>(c.end - line)}),
-                                     columns_));
-      if (!(t.real ? parse(c, t.real[i]) : parse(c, t.integer[i])))
-        throw InputError(fmt::format("{}: '{}' in column {} is not {}", where(),
-                                     c.token().substr(0, 40), slots_[k].name,
-                                     t.real ? "a number" : "a whole number in range"));
+  void run() {
+    Cursor c{chunk_.bytes.data()};
+    for (std::size_t done = 0; done < chunk_.atoms;) {
+      const std::size_t lines = std::min(TokenBatch::capacity, chunk_.atoms - done);
+      const LineKernel::Scanned scanned = kernel_.scan(c.at, lines, shape_, batches_.data());
+      for (std::size_t k = 0; k < targets_.size(); ++k) column(c.at, k, done, scanned.lines);
+      c.at = scanned.end;
+      done += scanned.lines;
+      if (scanned.lines < lines) line(c, done++);
     }
-    c.next_line();
   }
+
+ private:
+  struct Target {
+    double* real;
+    std::int64_t* integer;
+  };
+
+  void column(const char* text, std::size_t k, std::size_t first, std::size_t lines) {
+    const Target& t = targets_[k];
+    const TokenBatch& tokens = batches_[k];
+    std::uint64_t failed = t.real ? kernel_.reals(text, tokens, lines, t.real + first)
+                                  : kernel_.integers(text, tokens, lines, t.integer + first);
+    for (; failed; failed &= failed - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(failed));
+      token({text + tokens.offset[i], tokens.length[i]}, k, first + i);
+    }
+  }
+
+  void line(Cursor& c, std::size_t atom) {
+    const std::vector<std::string_view> tokens = take_line(c);
+    if (tokens.size() != layout_.columns_)
+      throw InputError(fmt::format("{}: {} columns (the header names {})", where(atom),
+                                   tokens.size(), layout_.columns_));
+    for (std::size_t k = 0; k < targets_.size(); ++k) token(tokens[shape_.wanted[k]], k, atom);
+  }
+
+  void token(std::string_view text, std::size_t k, std::size_t atom) {
+    const Target& t = targets_[k];
+    if (t.real ? parse_number(text, t.real[atom]) : parse_number(text, t.integer[atom])) return;
+    throw InputError(fmt::format("{}: '{}' in column {} is not {}", where(atom), text.substr(0, 40),
+                                 layout_.slots_[k].name,
+                                 t.real ? "a number" : "a whole number in range"));
+  }
+
+  std::string where(std::size_t atom) const {
+    return fmt::format("{}:{}", path_, chunk_.first_line + atom);
+  }
+
+  const AtomLayout& layout_;
+  const Chunk& chunk_;
+  const std::string& path_;
+  const LineKernel& kernel_;
+  LineShape shape_;
+  std::vector<Target> targets_;
+  std::vector<TokenBatch> batches_;
+};
+
+void AtomLayout::convert(const Chunk& chunk, const std::string& path, AtomBlock& block,
+                         const LineKernel& kernel) const {
+  block.reset(chunk.number, chunk.atoms);
+  Conversion(*this, chunk, path, block, kernel).run();
   if (positions_wanted_) make_positions(positions_, box_, block);
 }
 
 PrintedPrecision printed_precision(const Chunk& chunk, std::size_t file_column) {
-  Cursor c{chunk.bytes.data(), chunk.bytes.data() + chunk.bytes.size()};
+  Cursor c{chunk.bytes.data()};
   PrintedPrecision printed;
   bool exponents = false;
   int least_decimals = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < chunk.atoms; ++i) {
-    if (c.skip_columns(file_column)) {
-      const Digits digits = digits_of(c.token());
-      printed.digits = std::max(printed.digits, digits.significant);
-      printed.decimals = std::max(printed.decimals, digits.decimals);
-      least_decimals = std::min(least_decimals, digits.decimals);
-      exponents = exponents || digits.exponent;
-    }
-    c.next_line();
+    const std::vector<std::string_view> tokens = take_line(c);
+    if (file_column >= tokens.size()) continue;
+    const Digits digits = digits_of(tokens[file_column]);
+    printed.digits = std::max(printed.digits, digits.significant);
+    printed.decimals = std::max(printed.decimals, digits.decimals);
+    least_decimals = std::min(least_decimals, digits.decimals);
+    exponents = exponents || digits.exponent;
   }
   if (printed.decimals == 0 && !exponents) return {};
   printed.fixed = !exponents && least_decimals == printed.decimals;

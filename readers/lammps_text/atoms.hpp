@@ -8,6 +8,7 @@
 #include "readers/columns.hpp"
 #include "readers/format.hpp"
 #include "readers/frame.hpp"
+#include "readers/lammps_text/line_kernel.hpp"
 #include "readers/positions.hpp"
 
 namespace mdana::lammps_text {
@@ -21,10 +22,13 @@ class AtomLayout {
   AtomLayout(const FrameHeader& header, const ColumnSet& wanted);
 
   /// Converts the wanted columns of the chunk's lines, correctly rounded. Throws InputError naming
-  /// `path`, line and column at a token that is no number and at a line with too few columns.
-  void convert(const Chunk& chunk, const std::string& path, AtomBlock& block) const;
+  /// `path`, line and column at a token that is no number, and at a line whose number of columns is
+  /// not that of the header.
+  void convert(const Chunk& chunk, const std::string& path, AtomBlock& block,
+               const LineKernel& kernel = best_line_kernel()) const;
 
  private:
+  class Conversion;
   struct Slot {
     std::size_t file_column;
     std::string name;
