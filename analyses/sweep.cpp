@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "analyses/block_pipeline.hpp"
 #include "analyses/merge_tree.hpp"
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
@@ -22,11 +24,25 @@ struct Round {
   std::vector<MergeTree> trees;
 };
 
+/// A block under way.
+struct Place {
+  Chunk chunk;
+  AtomBlock block;
+  std::vector<BodyIndex> body;
+  std::vector<double> mass;
+  std::vector<std::unique_ptr<Partial>> partials;  ///< of a round's members
+};
+
 class Sweep {
  public:
   Sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
         std::span<const std::unique_ptr<Analysis>> analyses, const SweepOptions& options)
-      : path_(dump.string()), bodies_(bodies), masses_(masses), analyses_(analyses), options_(options) {
+      : path_(dump.string()),
+        bodies_(bodies),
+        masses_(masses),
+        analyses_(analyses),
+        options_(options),
+        places_(options.threads <= 1 ? 1 : 2 * options.threads) {
     if (options.stride == 0) throw std::invalid_argument("sweep: the stride must be at least 1");
     for (const auto& analysis : analyses) {
       needs_.push_back(analysis->needs());
@@ -48,7 +64,7 @@ class Sweep {
       result_.damage = error.what();
     }
     if (result_.steps.empty()) throw InputError(path_ + ": no frame in the file");
-    if (!enough()) result_.input = source_->record();
+    if (!enough()) result_.inputs = source_->records();
     result_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return std::move(result_);
@@ -63,7 +79,7 @@ class Sweep {
       throw;
     } catch (const InputError& error) {
       const std::string what = error.what();
-      if (what.starts_with(path_)) throw;
+      if (what.starts_with(path_.substr(0, path_.find_first_of("*%")))) throw;  // a reader's own
       throw InputError(fmt::format("{}: {}", header_.place, what));
     }
   }
@@ -73,6 +89,7 @@ class Sweep {
     rows_.clear();
     for (const Table& table : result_.tables) rows_.emplace_back(table.columns().size());
     kept_.clear();
+    kept_bytes_ = 0;
     keep_ = needs_second_round();
     std::vector<BodyMotion> motion;
     round(false, motion);
@@ -117,8 +134,7 @@ class Sweep {
     for (std::size_t k = 0; k < needs_.size(); ++k)
       if (needs_[k].after_motion == second) members.members.push_back(k);
     members.trees.resize(members.members.size());
-    const FrameContext context{header_, motion};
-    for_blocks(second, [&](const AtomBlock& block) { add(block, context, members); });
+    run_blocks(second, {header_, motion}, members);
     for (std::size_t i = 0; i < members.members.size(); ++i) {
       const auto whole = members.trees[i].finish();
       if (!whole) throw InputError(fmt::format("{}: a frame without atoms", header_.place));
@@ -126,40 +142,57 @@ class Sweep {
     }
   }
 
-  void add(const AtomBlock& block, const FrameContext& context, Round& members) {
-    bodies_.label(block, body_);
-    masses_.fill(block, mass_);
-    const LabelledBlock labelled{block, body_, mass_};
-    for (std::size_t i = 0; i < members.members.size(); ++i) {
-      auto partial = analyses_[members.members[i]]->begin(context);
-      partial->add(labelled);
-      members.trees[i].push(std::move(partial));
-    }
-    if (options_.stop && *options_.stop) throw Interrupted(*options_.stop);
+  /// Blocks of the frame, from the file or those kept in the first round, through the pipeline.
+  void run_blocks(bool again, const FrameContext& context, Round& members) {
+    const bool kept = again && keep_;
+    if (again && !kept) source_->restart_frame();
+    std::size_t next = 0;
+    BlockPipeline pipeline;
+    pipeline.threads = options_.threads;
+    pipeline.slots = places_.size();
+    pipeline.produce = [&](std::size_t slot) {
+      if (!kept) return source_->cut(places_[slot].chunk);
+      if (next == kept_.size()) return false;
+      std::swap(places_[slot].block, kept_[next++]);
+      return true;
+    };
+    pipeline.work = [&](std::size_t slot) {
+      if (!kept) convert(places_[slot]);
+      analyse(places_[slot], context, members);
+    };
+    pipeline.collect = [&](std::size_t slot) { collect(places_[slot], again, members); };
+    mdana::run(pipeline);
   }
 
-  /// Blocks of the frame: from the file, or those kept in the first round.
-  template <class Use>
-  void for_blocks(bool again, Use&& use) {
-    if (again && keep_) {
-      for (const AtomBlock& block : kept_) use(block);
-      return;
+  void convert(Place& place) const {
+    source_->convert(place.chunk, place.block);
+    if (options_.last_digit_seed)
+      move_last_digits(*source_, place.chunk, header_, wanted_, *options_.last_digit_seed,
+                       place.block);
+  }
+
+  void analyse(Place& place, const FrameContext& context, const Round& members) const {
+    bodies_.label(place.block, place.body);
+    masses_.fill(place.block, place.mass);
+    const LabelledBlock labelled{place.block, place.body, place.mass};
+    place.partials.clear();
+    for (const std::size_t k : members.members) {
+      place.partials.push_back(analyses_[k]->begin(context));
+      place.partials.back()->add(labelled);
     }
-    if (again) source_->restart_frame();
-    std::size_t bytes = 0;
-    AtomBlock block;
-    while (source_->cut(chunk_)) {
-      source_->convert(chunk_, block);
-      if (options_.last_digit_seed)
-        move_last_digits(*source_, chunk_, header_, wanted_, *options_.last_digit_seed, block);
-      use(block);
-      bytes += block.bytes();
-      keep_ = keep_ && !again && bytes <= options_.memory;
-      if (keep_)
-        kept_.push_back(std::move(block));
-      else
-        kept_.clear();
-    }
+  }
+
+  void collect(Place& place, bool again, Round& members) {
+    for (std::size_t i = 0; i < place.partials.size(); ++i)
+      members.trees[i].push(std::move(place.partials[i]));
+    if (options_.stop && *options_.stop) throw Interrupted(*options_.stop);
+    if (again || !keep_) return;
+    kept_bytes_ += place.block.bytes();
+    keep_ = kept_bytes_ <= options_.memory;
+    if (keep_)
+      kept_.push_back(std::exchange(place.block, {}));
+    else
+      kept_.clear();
   }
 
   std::string path_;
@@ -174,11 +207,10 @@ class Sweep {
 
   FrameHeader header_;
   std::optional<Units> units_;  ///< as an earlier frame states them
-  Chunk chunk_;
-  std::vector<BodyIndex> body_;
-  std::vector<double> mass_;
+  std::vector<Place> places_;
   std::vector<std::vector<double>> rows_;
   bool keep_ = false;  ///< the whole frame is in kept_
+  std::size_t kept_bytes_ = 0;
   std::vector<AtomBlock> kept_;
 };
 

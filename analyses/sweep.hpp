@@ -21,6 +21,7 @@ namespace mdana {
 struct SweepOptions {
   std::uint64_t stride = 1;                     ///< use frames 0, stride, 2 stride, ...
   std::optional<std::uint64_t> frames;          ///< stop after so many
+  std::size_t threads = 1;                      ///< for the blocks of a frame; at least 1
   std::size_t memory = std::size_t{128} << 20;  ///< bytes for blocks kept between two rounds
   /// Moves every converted real number at random within its last printed digit (see
   /// readers/last_digit.hpp); the number is the seed.
@@ -44,7 +45,7 @@ struct SweepResult {
   std::vector<double> stated_times;  ///< [time] as the dump states them; empty if it does not
   bool positions_may_jump = false;   ///< wrapped at periodic faces, without image flags
   std::string damage;                ///< why reading ended before the end of the file, else empty
-  InputRecord input;                 ///< of the whole file; empty if `frames` stopped the sweep
+  std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep
   double seconds = 0;
 };
 

@@ -48,6 +48,13 @@ std::span<std::int64_t> AtomBlock::make_integer(std::string_view name) {
   return made(integers_, name, atoms_);
 }
 
+void AtomBlock::put(const AtomBlock& part, std::size_t first) {
+  for (const auto& c : part.reals_)
+    std::ranges::copy(c.values, make_real(c.name).subspan(first).begin());
+  for (const auto& c : part.integers_)
+    std::ranges::copy(c.values, make_integer(c.name).subspan(first).begin());
+}
+
 std::size_t AtomBlock::bytes() const {
   return atoms_ * (reals_.size() * sizeof(double) + integers_.size() * sizeof(std::int64_t));
 }

@@ -30,6 +30,9 @@ class AtomBlock {
   std::span<double> make_real(std::string_view name);
   std::span<std::int64_t> make_integer(std::string_view name);
 
+  /// Copies all columns of another block to the atoms from `first` on; makes those that are missing.
+  void put(const AtomBlock& part, std::size_t first);
+
   std::size_t bytes() const;  ///< memory held by the arrays
 
  private:

@@ -5,6 +5,7 @@
 
 #include "readers/gzip.hpp"
 #include "readers/raw_file.hpp"
+#include "readers/zstd.hpp"
 
 namespace mdana {
 namespace {
@@ -25,18 +26,15 @@ class PlainFile final : public ByteSource {
   std::uint64_t marked_ = 0;
 };
 
-bool is_gzip(RawFile& file) {
-  std::array<char, 2> magic{};
-  const std::size_t got = file.read(magic);
-  file.seek(0);
-  return got == 2 && magic[0] == '\x1f' && magic[1] == '\x8b';
-}
-
 }  // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path) {
   auto file = std::make_unique<RawFile>(path);
-  if (is_gzip(*file)) return open_gzip(std::move(file));
+  std::array<char, 4> magic{};
+  const std::string_view head(magic.data(), file->read(magic));
+  file->seek(0);
+  if (head.starts_with("\x1f\x8b")) return open_gzip(std::move(file));
+  if (is_zstd(head)) return open_zstd(std::move(file));
   return std::make_unique<PlainFile>(std::move(file));
 }
 

@@ -33,7 +33,8 @@ class ByteSource {
   virtual InputRecord record() = 0;
 };
 
-/// Opens a file by its first bytes: gzip (any number of members) or plain.
+/// Opens a file by its first bytes: gzip (any number of members), zstd (any
+/// number of frames) or plain.
 /// Throws InputError if it cannot be opened.
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path);
 

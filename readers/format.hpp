@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "readers/block.hpp"
 #include "readers/byte_source.hpp"
@@ -30,9 +31,9 @@ class FrameSource {
   /// Throws TruncatedInput, or InputError if a header is wrong.
   virtual bool next(FrameHeader& header) = 0;
 
-  /// The next AtomBlock::capacity atoms of the frame (fewer in its last chunk), unconverted.
-  /// False after the last. Throws TruncatedInput.
-  virtual bool cut(Chunk& chunk) = 0;
+  /// The next `most` atoms of the frame (fewer in its last chunk), unconverted. False after the
+  /// last. Throws TruncatedInput.
+  virtual bool cut(Chunk& chunk, std::size_t most = AtomBlock::capacity) = 0;
 
   /// Fills the wanted columns, and no others, of a chunk of the current frame.
   /// Throws InputError naming line and column.
@@ -44,7 +45,7 @@ class FrameSource {
   /// How the numbers of a column are printed, estimated from the chunk.
   virtual PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const = 0;
 
-  virtual InputRecord record() = 0;
+  virtual std::vector<InputRecord> records() = 0;  ///< one a file
 };
 
 /// A file format: metadata and two functions. The list of formats is in CMakeLists.txt

@@ -36,6 +36,9 @@ struct Chunk {
   std::uint64_t first_line = 0;  ///< where it starts, for messages
   std::string_view bytes;        ///< of the mapped file, or of `storage`
   std::vector<char> storage;
+
+  std::size_t piece = 0;     ///< of a frame in several files: the file
+  std::vector<Chunk> parts;  ///< of such a frame: what each file gives to the block, bytes are theirs
 };
 
 }  // namespace mdana

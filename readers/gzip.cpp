@@ -6,51 +6,32 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 namespace mdana {
 namespace {
 
-/// zlib's decompressor; copies share nothing.
-class Inflate {
- public:
-  Inflate() {
-    if (inflateInit2(&stream, 15 + 16) != Z_OK) throw std::runtime_error("zlib: no memory");
-  }
-  Inflate(const Inflate& other) {
-    if (inflateCopy(&stream, const_cast<z_stream*>(&other.stream)) != Z_OK)
-      throw std::runtime_error("zlib: no memory");
-  }
-  Inflate& operator=(const Inflate&) = delete;
-  ~Inflate() { inflateEnd(&stream); }
-
-  z_stream stream{};
-};
-
 class Gzip final : public ByteSource {
  public:
-  explicit Gzip(std::unique_ptr<RawFile> file) : file_(std::move(file)), input_(1 << 18) {}
+  Gzip(std::unique_ptr<RawFile> file, std::unique_ptr<Inflate> inflate)
+      : file_(std::move(file)), inflate_(std::move(inflate)), buffer_(1 << 18) {}
 
   std::size_t read(std::span<char> into) override {
-    z_stream& z = inflate_->stream;
-    z.next_out = reinterpret_cast<Bytef*>(into.data());
-    z.avail_out = static_cast<uInt>(std::min<std::size_t>(into.size(), 1u << 30));
-    while (z.avail_out > 0 && !ended_ && refill()) step();
-    return static_cast<std::size_t>(reinterpret_cast<char*>(z.next_out) - into.data());
+    std::span<char> out = into;
+    while (!out.empty() && !ended_) inside_member_ ? step(out) : start_member();
+    return into.size() - out.size();
   }
 
   void mark() override {
-    marked_ = std::make_unique<Inflate>(*inflate_);
-    marked_position_ = file_->position() - inflate_->stream.avail_in;
+    marked_ = inflate_->copy();
+    marked_position_ = position();
     marked_inside_ = inside_member_;
     marked_ended_ = ended_;
   }
 
   void reset() override {
     if (!marked_) throw std::logic_error("reset without mark");
-    inflate_ = std::make_unique<Inflate>(*marked_);
-    inflate_->stream.avail_in = 0;
-    file_->seek(marked_position_);
+    inflate_ = marked_->copy();
+    seek(marked_position_);
     inside_member_ = marked_inside_;
     ended_ = marked_ended_;
   }
@@ -59,40 +40,76 @@ class Gzip final : public ByteSource {
   InputRecord record() override { return file_->record(); }
 
  private:
-  /// True while there are compressed bytes; notes a stream that ends in the middle.
-  bool refill() {
-    z_stream& z = inflate_->stream;
-    if (z.avail_in > 0) return true;
-    z.avail_in = static_cast<uInt>(file_->read(input_));
-    z.next_in = reinterpret_cast<Bytef*>(input_.data());
-    if (z.avail_in > 0) return true;
-    if (inside_member_) fail("the gzip data end early, the file was cut");
-    ended_ = true;
-    return false;
+  std::uint64_t position() const { return file_->position() - input_.size(); }
+
+  void seek(std::uint64_t position) {
+    file_->seek(position);
+    input_ = {};
   }
 
-  void step() {
-    z_stream& z = inflate_->stream;
-    inside_member_ = true;
-    const int result = inflate(&z, Z_NO_FLUSH);
-    if (result == Z_STREAM_END) {
-      inside_member_ = false;
-      inflateReset(&z);
-    } else if (result != Z_OK && result != Z_BUF_ERROR) {
-      fail(fmt::format("the gzip data are corrupt ({}); what was read before is not certain either",
-                       z.msg ? z.msg : "unknown error"));
+  void give_back(std::size_t bytes) {
+    if (static_cast<std::size_t>(input_.data() - buffer_.data()) >= bytes)
+      input_ = {input_.data() - bytes, input_.size() + bytes};
+    else  // they came with the filling of the buffer before
+      seek(position() - bytes);
+  }
+
+  /// True if there is input, from the file if need be.
+  bool refill() {
+    if (input_.empty()) input_ = {buffer_.data(), file_->read(buffer_)};
+    return !input_.empty();
+  }
+
+  /// Between members: the next one, or the end.
+  void start_member() {
+    if (!refill()) {
+      ended_ = true;
+    } else if (input_.front() == '\x1f') {
+      inflate_->start_member();
+      inside_member_ = true;
+    } else {
+      pass_padding();
     }
   }
 
+  void pass_padding() {
+    while (refill()) {
+      const std::size_t zeros = std::min(input_.find_first_not_of('\0'), input_.size());
+      input_.remove_prefix(zeros);
+      if (!input_.empty()) return fail("what follows the gzip data is neither gzip nor padding");
+    }
+    ended_ = true;
+  }
+
+  void step(std::span<char>& out) {
+    const std::size_t before = input_.size() + out.size();
+    const Inflate::Result result = inflate_->step(input_, out);
+    if (result.state == Inflate::State::member_ended) {
+      inside_member_ = false;
+      give_back(result.unused);
+    } else if (result.state == Inflate::State::corrupt) {
+      corrupt(result.what);
+    } else if (!out.empty() && input_.empty()) {
+      if (!refill()) fail("the gzip data end early, the file was cut");
+    } else if (input_.size() + out.size() == before) {
+      corrupt("");
+    }
+  }
+
+  void corrupt(const std::string& what) {
+    fail(fmt::format("the gzip data are corrupt ({}); what was read before is not certain either",
+                     what.empty() ? "unknown error" : what));
+  }
+
   void fail(const std::string& what) {
-    damage_ = fmt::format("{} (compressed byte {})", what,
-                          file_->position() - inflate_->stream.avail_in);
+    damage_ = fmt::format("{} (compressed byte {})", what, position());
     ended_ = true;
   }
 
   std::unique_ptr<RawFile> file_;
-  std::vector<char> input_;
-  std::unique_ptr<Inflate> inflate_ = std::make_unique<Inflate>();
+  std::unique_ptr<Inflate> inflate_;
+  std::vector<char> buffer_;
+  std::string_view input_;  ///< of the buffer, not yet taken
   bool inside_member_ = false;
   bool ended_ = false;
   std::string damage_;
@@ -105,8 +122,14 @@ class Gzip final : public ByteSource {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_gzip(std::unique_ptr<RawFile> file) {
-  return std::make_unique<Gzip>(std::move(file));
+std::unique_ptr<Inflate> fastest_inflate() {
+  auto isal = make_isal_inflate();
+  return isal ? std::move(isal) : make_zlib_inflate();
+}
+
+std::unique_ptr<ByteSource> open_gzip(std::unique_ptr<RawFile> file,
+                                      std::unique_ptr<Inflate> inflate) {
+  return std::make_unique<Gzip>(std::move(file), std::move(inflate));
 }
 
 }  // namespace mdana

@@ -72,8 +72,18 @@ std::optional<std::string_view> RawFile::mapped() {
 void RawFile::passed(std::string_view bytes) {
   const auto first = static_cast<std::uint64_t>(bytes.data() - map_.data());
   const std::uint64_t known = hash_->bytes - std::min(hash_->bytes, first);
-  if (known >= bytes.size()) return;
-  hash_->add(bytes.substr(known));
+  if (known < bytes.size()) hash_->add(bytes.substr(known));
+  release(first + bytes.size());
+}
+
+/// Gives back the memory of mapped pages well behind `position`; they are read again if needed.
+void RawFile::release(std::uint64_t position) {
+  constexpr std::uint64_t step = std::uint64_t{1} << 25;  // a multiple of any page size
+  if (position < released_) released_ = position / step * step;
+  if (position < released_ + 2 * step) return;
+  const std::uint64_t end = (position - step) / step * step;
+  ::madvise(const_cast<char*>(map_.data()) + released_, end - released_, MADV_DONTNEED);
+  released_ = end;
 }
 
 void RawFile::seek(std::uint64_t position) {

@@ -36,12 +36,15 @@ class RawFile {
   InputRecord record();
 
  private:
+  void release(std::uint64_t position);
+
   struct Hash;
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uint64_t position_ = 0;
   std::unique_ptr<Hash> hash_;
   std::string_view map_;
+  std::uint64_t released_ = 0;  ///< mapped bytes before it are given back
 };
 
 }  // namespace mdana

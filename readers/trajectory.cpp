@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "readers/file_set.hpp"
 #include "readers/input_error.hpp"
+#include "readers/pieces_source.hpp"
+#include "readers/sequence_source.hpp"
 
 namespace mdana {
 namespace {
@@ -24,18 +27,36 @@ const Format& recognise(ByteSource& bytes, const std::filesystem::path& path) {
                                bytes.damage().empty() ? "" : ": " + bytes.damage()));
 }
 
-}  // namespace
-
-std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
-                                             const ColumnSet& wanted) {
+std::unique_ptr<FrameSource> open_file(const std::filesystem::path& path, const ColumnSet& wanted) {
   auto bytes = open_bytes(path);
   const Format& format = recognise(*bytes, path);
   return format.open(std::move(bytes), path, wanted);
 }
 
+using Paths = std::vector<std::filesystem::path>;
+
+std::unique_ptr<FrameSource> open_pieces(const Paths& files, const ColumnSet& wanted) {
+  if (files.size() == 1) return open_file(files.front(), wanted);
+  std::vector<std::unique_ptr<FrameSource>> pieces;
+  for (const auto& file : files) pieces.push_back(open_file(file, wanted));
+  return join_pieces(std::move(pieces));
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
+                                             const ColumnSet& wanted) {
+  auto files = find_file_set(path);
+  if (!files) return open_file(path, wanted);
+  if (files->size() == 1) return open_pieces(files->front(), wanted);
+  return open_sequence(std::move(*files),
+                       [wanted](const Paths& pieces) { return open_pieces(pieces, wanted); });
+}
+
 std::string_view format_of(const std::filesystem::path& path) {
-  const auto bytes = open_bytes(path);
-  return recognise(*bytes, path).name;
+  const auto files = find_file_set(path);
+  const std::filesystem::path& first = files ? files->front().front() : path;
+  return recognise(*open_bytes(first), first).name;
 }
 
 FrameHeader first_header(const std::filesystem::path& path) {

@@ -9,12 +9,13 @@
 
 namespace mdana {
 
-/// Opens a dump of any known format for the wanted columns.
+/// Opens a dump of any known format for the wanted columns: a file, or a set of files by a name with
+/// `*` and `%` (see readers/file_set.hpp).
 /// Throws InputError if it is missing, empty or of no known format.
 std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
                                              const ColumnSet& wanted);
 
-/// The name of the format that recognises the file; throws like open_trajectory.
+/// The name of the format that recognises the (first) file; throws like open_trajectory.
 std::string_view format_of(const std::filesystem::path& path);
 
 /// The header of the first frame. Throws InputError if there is none.

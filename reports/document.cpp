@@ -96,10 +96,11 @@ void Document::left_out(std::string what, std::string reason) {
 }
 
 void Document::sweep(const SweepResult& swept, std::string_view format) {
-  root_["inputs"].push_back({{"path", swept.input.path},
-                             {"size", swept.input.size},
-                             {"hash", swept.input.hash},
-                             {"format", format}});
+  for (const InputRecord& input : swept.inputs)
+    root_["inputs"].push_back({{"path", input.path},
+                               {"size", input.size},
+                               {"hash", input.hash},
+                               {"format", format}});
   root_["frames"] = swept.steps.size();
   root_["seconds"] = swept.seconds;
   line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));

@@ -86,11 +86,17 @@ std::string drawn(const std::vector<Figure>& figures, const std::filesystem::pat
   return element("div", content, "class=\"figures\"");
 }
 
+std::string inputs_text(const std::vector<InputRecord>& inputs) {
+  if (inputs.size() == 1) return fmt::format("{} bytes, {}", inputs[0].size, inputs[0].hash);
+  std::uint64_t bytes = 0;
+  for (const InputRecord& input : inputs) bytes += input.size;
+  return fmt::format("{} files, {} bytes; their hashes are in results.json", inputs.size(), bytes);
+}
+
 std::string run_section(const StudyRun& entry, const std::filesystem::path& directory) {
   std::string text = heading(2, entry.name, file_name(entry.name));
   if (!entry.result) return text + element("p", escape(entry.failure), "class=\"warning\"");
   const AnalysedRun& r = *entry.result;
-  const InputRecord& input = r.measured.swept.input;
   text += element("p", escape(fmt::format("{} · {} frames, {} + {} atoms · units {} · force from {} · "
                                           "radius from {}", entry.dump.string(),
                                           r.measured.swept.steps.size(),
@@ -103,8 +109,7 @@ std::string run_section(const StudyRun& entry, const std::filesystem::path& dire
     text += element("p", escape("Warning: " + w), "class=\"warning\"");
   text += fit_sentence(entry) + overlay_sentence(entry);
   text += drawn(run_figures(entry), directory);
-  return text + element("p", element("code", escape(fmt::format("{} bytes, {}", input.size,
-                                                                input.hash))),
+  return text + element("p", element("code", escape(inputs_text(r.measured.swept.inputs))),
                         "class=\"quiet\"");
 }
 

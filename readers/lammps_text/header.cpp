@@ -49,10 +49,10 @@ class HeaderReader {
     throw InputError(fmt::format("{}: {}", here(), what));
   }
 
-  /// The first line of the frame; nothing if only blank lines are left.
+  /// The first line of the frame; nothing if only blank lines and comments are left.
   std::optional<std::string> first_item() {
     while (const auto line = lines_.line())
-      if (!words(*line).empty()) return std::string(*line);
+      if (!words(*line).empty() && !line->starts_with('#')) return std::string(*line);
     if (lines_.unfinished()) truncated();
     return std::nullopt;
   }

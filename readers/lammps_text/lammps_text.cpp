@@ -22,6 +22,7 @@ class LammpsText final : public FrameSource {
 
   bool next(FrameHeader& header) override {
     expect_lines(lines_.skip(lines_left_), lines_left_);
+    lines_left_ = 0;
     const auto found = lammps_text::read_header(lines_, path_, frames_);
     if (!found) {
       check_bytes();
@@ -36,11 +37,11 @@ class LammpsText final : public FrameSource {
     return true;
   }
 
-  bool cut(Chunk& chunk) override {
+  bool cut(Chunk& chunk, std::size_t most) override {
     if (lines_left_ == 0) return false;
     chunk.number = (header_.atoms - lines_left_) / AtomBlock::capacity;
     chunk.first_line = lines_.number() + 1;
-    chunk.atoms = std::min<std::size_t>(lines_left_, AtomBlock::capacity);
+    chunk.atoms = std::min<std::size_t>(lines_left_, most);
     const LineReader::Lines lines = lines_.take(chunk.atoms, chunk.storage, Chunk::padding);
     chunk.bytes = lines.text;
     expect_lines(lines.count, chunk.atoms);
@@ -64,7 +65,7 @@ class LammpsText final : public FrameSource {
                                           static_cast<std::size_t>(it - header_.columns.begin()));
   }
 
-  InputRecord record() override { return lines_.bytes().record(); }
+  std::vector<InputRecord> records() override { return {lines_.bytes().record()}; }
 
  private:
   void expect_lines(std::size_t got, std::size_t wanted) const {
@@ -91,9 +92,16 @@ class LammpsText final : public FrameSource {
   std::uint64_t lines_left_ = 0;
 };
 
+/// The first line that is neither blank nor a comment begins with ITEM.
 bool recognises(std::string_view head) {
-  const std::size_t start = head.find_first_not_of(" \t\r\n");
-  return start != std::string_view::npos && head.substr(start).starts_with("ITEM: ");
+  while (!head.empty()) {
+    const std::size_t start = head.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos) return false;
+    head.remove_prefix(start);
+    if (head.front() != '#') return head.starts_with("ITEM: ");
+    head.remove_prefix(std::min(head.find('\n'), head.size()));
+  }
+  return false;
 }
 
 std::unique_ptr<FrameSource> open(std::unique_ptr<ByteSource> bytes,

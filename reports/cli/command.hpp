@@ -54,9 +54,13 @@ void add_run_options(Options& options);
 /// Throws UsageError at a value that cannot be understood.
 RunOptions run_options(const Values& values);
 
-/// Options of every command that measures: --json, -o, --stride, --memory.
+/// Options of every command that measures: --stride, resources, --json, -o.
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
+
+/// --threads and --memory, which every command that reads atoms has, and their values.
+void add_resource_options(Options& options);
+void set_resources(const Values& values, SweepOptions& sweeping);
 
 /// Refuses an -o that cannot be written before work begins: an unknown suffix, CSV of a command
 /// without a table, a directory that does not exist.

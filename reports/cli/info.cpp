@@ -20,7 +20,7 @@ struct Walk {
   std::uint64_t least_atoms = 0, most_atoms = 0;
   bool columns_change = false;
   std::string damage;
-  InputRecord input;
+  std::vector<InputRecord> inputs;
   double seconds = 0;
 };
 
@@ -54,7 +54,7 @@ Walk walk_frames(const std::filesystem::path& dump, const FrameHeader& first) {
   } catch (const InputError& error) {
     walk.damage = error.what();
   }
-  walk.input = source->record();
+  walk.inputs = source->records();
   walk.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return walk;
 }
@@ -145,7 +145,7 @@ void add_frames(Document& document, const FrameHeader& first, const Walk& walk,
                 std::string_view format) {
   SweepResult as_swept;  // says input, damage and time in the same words as every command
   as_swept.steps.resize(walk.frames);
-  as_swept.input = walk.input;
+  as_swept.inputs = walk.inputs;
   as_swept.damage = walk.damage;
   as_swept.seconds = walk.seconds;
   const auto positions = position_source(first.columns);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,13 +89,29 @@ RunOptions run_options(const Values& values) try {
   throw UsageError(error.what());
 }
 
-void add_output_options(Options& options, bool table) {
+void add_resource_options(Options& options) {
   options.add_options()                                                                         //
-      ("stride", po::value<long>()->default_value(1)->value_name("K"),
-       "use every K-th frame only")                                                             //
+      ("threads", po::value<long>()->default_value(0, "all")->value_name("N"),
+       "threads for the blocks of large frames; the results are the same bits with any number") //
       ("memory", po::value<long>()->default_value(128)->value_name("MB"),
-       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice") //
-      ("json", po::bool_switch(), "print one JSON document on the standard output")             //
+       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice");
+}
+
+void set_resources(const Values& values, SweepOptions& sweeping) {
+  const long threads = values["threads"].as<long>(), memory = values["memory"].as<long>();
+  if (threads < 0) throw UsageError("--threads must be at least 1");
+  if (memory < 1) throw UsageError("--memory must be at least 1");
+  sweeping.threads = threads > 0 ? static_cast<std::size_t>(threads)
+                                 : std::max(1u, std::thread::hardware_concurrency());
+  sweeping.memory = static_cast<std::size_t>(memory) << 20;
+}
+
+void add_output_options(Options& options, bool table) {
+  options.add_options()("stride", po::value<long>()->default_value(1)->value_name("K"),
+                        "use every K-th frame only");
+  add_resource_options(options);
+  options.add_options()                                                              //
+      ("json", po::bool_switch(), "print one JSON document on the standard output")  //
       ("output,o", po::value<std::string>()->value_name("FILE"),
        table ? "write the table (.csv) or the document (.json)" : "write the document (.json)");
 }
@@ -102,9 +119,8 @@ void add_output_options(Options& options, bool table) {
 SweepOptions sweep_options(const Values& values) {
   SweepOptions options;
   if (values["stride"].as<long>() < 1) throw UsageError("--stride must be at least 1");
-  if (values["memory"].as<long>() < 1) throw UsageError("--memory must be at least 1");
   options.stride = static_cast<std::uint64_t>(values["stride"].as<long>());
-  options.memory = static_cast<std::size_t>(values["memory"].as<long>()) << 20;
+  set_resources(values, options);
   options.stop = &stop_signal();
   options.progress = progress_printer();
   return options;

@@ -22,10 +22,9 @@ namespace po = boost::program_options;
 void add_options(Options& options) {
   options.add_options()                                                                          //
       ("output,o", po::value<std::string>()->value_name("OUT")->required(),
-       "directory to make: index.html, results.json, tables, figures")                           //
-      ("memory", po::value<long>()->default_value(128)->value_name("MB"),
-       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice") //
+       "directory to make: index.html, results.json, tables, figures")              //
       ("json", po::bool_switch(), "print results.json on the standard output");
+  add_resource_options(options);
 }
 
 void write_tables(const Study& study, const std::filesystem::path& directory) {
@@ -50,8 +49,7 @@ int exit_code(const Study& study) {
 
 int run_command(const Values& values) {
   SweepOptions sweeping;
-  if (values["memory"].as<long>() < 1) throw UsageError("--memory must be at least 1");
-  sweeping.memory = static_cast<std::size_t>(values["memory"].as<long>()) << 20;
+  set_resources(values, sweeping);
   sweeping.stop = &stop_signal();
   const std::filesystem::path place = values["output"].as<std::string>();
   Study study = find_study(values["input"].as<std::string>());

@@ -28,7 +28,7 @@ TEST_F(SweepOfDump, GivesARowAFrame) {
   for (const Table& table : result.tables) EXPECT_EQ(table.rows(), 5u);
   EXPECT_TRUE(result.damage.empty());
   EXPECT_FALSE(result.positions_may_jump);
-  EXPECT_TRUE(result.input.hash.starts_with("xxh3:"));
+  EXPECT_TRUE(result.inputs.at(0).hash.starts_with("xxh3:"));
 }
 
 TEST_F(SweepOfDump, StrideTakesEveryNthFromTheFirst) {
@@ -37,7 +37,7 @@ TEST_F(SweepOfDump, StrideTakesEveryNthFromTheFirst) {
   const SweepResult some = run(whole(8), options), all = run(whole(8));
   EXPECT_EQ(some.steps, (Steps{0, 300, 600}));
   EXPECT_EQ(some.tables[0].column("x1")[2], all.tables[0].column("x1")[6]);
-  EXPECT_EQ(some.input.hash, all.input.hash);
+  EXPECT_EQ(some.inputs.at(0).hash, all.inputs.at(0).hash);
 }
 
 TEST_F(SweepOfDump, FramesLimitTheRows) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "analyses/relative_motion.hpp"
+#include "readers/input_error.hpp"
 #include "tests/contracts/catalogue.hpp"
 
 namespace mdana {
@@ -115,6 +116,47 @@ TEST(Catalogue, MemoryForBlocksChangesNoBit) {
       expect_same_bits(plain, test::sweep_catalogue(path, test::made_up_scene(), options));
     }
   }
+}
+
+// House rule: the same bits on any number of threads, whether blocks are kept or read twice.
+TEST(Catalogue, ThreadsChangeNoBit) {
+  const test::TemporaryFolder folder;
+  const auto path =
+      folder.write("dump", dump_text(made_up_collision(2, 5 * AtomBlock::capacity + 77)));
+  const SweepResult plain = test::sweep_catalogue(path, test::made_up_scene());
+  ASSERT_EQ(plain.steps.size(), 2u);
+  for (const std::size_t threads : {2, 3, 7}) {
+    for (const std::size_t memory : {std::size_t{1}, std::size_t{1} << 30}) {
+      SweepOptions options;
+      options.threads = threads;
+      options.memory = memory;
+      expect_same_bits(plain, test::sweep_catalogue(path, test::made_up_scene(), options));
+    }
+  }
+}
+
+// Whatever the threads, the first wrong line of the file is the one that is told.
+TEST(Catalogue, ThreadsTellTheFirstWrongLine) {
+  const test::TemporaryFolder folder;
+  std::string text = dump_text(made_up_collision(1, 3 * AtomBlock::capacity));
+  for (const std::size_t part : {2, 4, 5}) {  // of 6: in three different blocks
+    const std::size_t line = text.find('\n', text.size() / 6 * part) + 1;
+    text.replace(line, 1, "x");
+  }
+  const auto path = folder.write("dump", text);
+  std::vector<std::string> told;
+  for (const std::size_t threads : {1, 2, 7}) {
+    SweepOptions options;
+    options.threads = threads;
+    try {
+      test::sweep_catalogue(path, test::made_up_scene(), options);
+    } catch (const InputError& error) {
+      told.emplace_back(error.what());
+    }
+  }
+  ASSERT_EQ(told.size(), 3u);
+  EXPECT_EQ(told[1], told[0]);
+  EXPECT_EQ(told[2], told[0]);
 }
 
 // The same atoms in one block and spread over several by atoms of no body between them.

@@ -13,6 +13,7 @@ namespace {
 /// The beginning of a file of each format; a new format needs its line here.
 const std::map<std::string_view, std::string_view> samples{
     {"lammps_text", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n"},
+    {"lammps_binary", {"\xf6\xff\xff\xff\xff\xff\xff\xff" "DUMPCUSTOM", 18}},
 };
 
 // Beginnings of files that are no dumps: a LAMMPS log, a data file, xyz, TOML, HDF5, gzip, zeros.

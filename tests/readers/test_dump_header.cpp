@@ -118,6 +118,14 @@ TEST_F(DumpHeader, BoundsThatAreNoBoxAreErrors) {
         << line;
 }
 
+TEST_F(DumpHeader, CommentsAndBlankLinesBeforeAFrame) {
+  const std::string frame = atoms + bounds + one_atom;
+  const auto whole = read("# made by hand\n\n# twice\n" + step + frame + "# between\n \n" + step +
+                          frame + "#\n");
+  EXPECT_EQ(whole.error, "");
+  EXPECT_EQ(whole.frames.size(), 2u);
+}
+
 TEST_F(DumpHeader, DuplicateColumnIsAnError) {
   const std::string text = error(step + atoms + bounds + "ITEM: ATOMS id x y z x\n1 0 0 0 1\n");
   EXPECT_TRUE(contains(text, "dump:9: column 'x' stands twice")) << text;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace mdana {
+
+/// Files that are one trajectory: for each value of `*` the pieces `%` of its frames.
+using FileSet = std::vector<std::vector<std::filesystem::path>>;
+
+/// The files that a name such as "dump.*.%.gz" stands for, as LAMMPS' command dump means it: `*` is
+/// the time step of a file, `%` the number of a piece (0, 1, 2 ...), both whole numbers and here in
+/// the order of numbers. Nothing if there is a file of that very name or no such sign in it.
+/// Throws InputError if no file matches, two match the same numbers, or pieces are missing.
+std::optional<FileSet> find_file_set(const std::filesystem::path& name);
+
+}  // namespace mdana

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/sequence_source.hpp"
+
+#include "readers/raw_file.hpp"
+
+namespace mdana {
+namespace {
+
+void append(std::vector<InputRecord>& all, const std::vector<InputRecord>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+class SequenceSource final : public FrameSource {
+ public:
+  SequenceSource(FileSet files, OpenPieces open)
+      : files_(std::move(files)), open_(std::move(open)) {
+    open_next();
+  }
+
+  bool next(FrameHeader& header) override {
+    while (current_ || open_next()) {
+      if (current_->next(header)) {
+        header.index = frames_++;
+        return true;
+      }
+      append(passed_, current_->records());
+      current_.reset();
+    }
+    return false;
+  }
+
+  bool cut(Chunk& chunk, std::size_t most) override {
+    return current_ && current_->cut(chunk, most);
+  }
+
+  void convert(const Chunk& chunk, AtomBlock& block) const override {
+    current_->convert(chunk, block);
+  }
+
+  void restart_frame() override { current_->restart_frame(); }
+
+  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
+    return current_->printed_precision(chunk, column);
+  }
+
+  /// Of all files, also those behind one that is damaged.
+  std::vector<InputRecord> records() override {
+    std::vector<InputRecord> all = passed_;
+    if (current_) append(all, current_->records());
+    for (std::size_t k = opened_; k < files_.size(); ++k)
+      for (const auto& file : files_[k]) all.push_back(RawFile(file).record());
+    return all;
+  }
+
+ private:
+  bool open_next() {
+    if (opened_ == files_.size()) return false;
+    current_ = open_(files_[opened_]);
+    ++opened_;
+    return true;
+  }
+
+  FileSet files_;
+  OpenPieces open_;
+  std::size_t opened_ = 0;
+  std::unique_ptr<FrameSource> current_;
+  std::uint64_t frames_ = 0;
+  std::vector<InputRecord> passed_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_sequence(FileSet files, OpenPieces open) {
+  return std::make_unique<SequenceSource>(std::move(files), std::move(open));
+}
+
+}  // namespace mdana
