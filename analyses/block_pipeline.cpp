@@ -4,6 +4,7 @@
 #include <exception>
 #include <vector>
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -49,6 +50,8 @@ void run_in_parallel(const BlockPipeline& p) {
 
 void run(const BlockPipeline& p) {
   if (p.threads <= 1) return run_serially(p);
+  using oneapi::tbb::global_control;
+  const global_control allowed(global_control::max_allowed_parallelism, p.threads);
   oneapi::tbb::task_arena arena(static_cast<int>(p.threads));
   arena.execute([&] { run_in_parallel(p); });
 }

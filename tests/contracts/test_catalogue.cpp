@@ -141,7 +141,7 @@ TEST(Catalogue, ThreadsTellTheFirstWrongLine) {
   std::string text = dump_text(made_up_collision(1, 3 * AtomBlock::capacity));
   for (const std::size_t part : {2, 4, 5}) {  // of 6: in three different blocks
     const std::size_t line = text.find('\n', text.size() / 6 * part) + 1;
-    text.replace(line, 1, "x");
+    text.replace(line, text.find('\n', line) - line, "broken");
   }
   const auto path = folder.write("dump", text);
   std::vector<std::string> told;
