@@ -25,7 +25,7 @@ constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
 /// For a token of `length` bytes with its point at `point` (at `length` if it has none): where the
 /// digits go, last digit last, zeros before.
 struct AlignTable {
-  alignas(16) std::uint8_t from[most_digits + 1][most_digits + 1][16];
+  alignas(16) std::uint8_t from[32][32][16];  // rows beyond 16 stay empty
 
   constexpr AlignTable() : from() {
     for (std::uint32_t length = 0; length <= most_digits; ++length)
@@ -48,6 +48,7 @@ constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e
 struct Decimal {
   std::uint64_t digits;    ///< all of them as one integer
   std::uint32_t decimals;  ///< behind the point
+  bool point;              ///< there is one
   bool valid;              ///< 1 to 16 bytes, digits and at most one point
 };
 
@@ -63,18 +64,19 @@ MDANA_INLINE std::uint64_t multiply_out(__m128i aligned_digits) {
 MDANA_INLINE Decimal read_decimal(const char* text, std::uint32_t length) {
   const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text));
   const __m128i digits = _mm_sub_epi8(bytes, _mm_set1_epi8('0'));
-  const std::uint32_t n = length <= most_digits ? length : 0;
-  const std::uint32_t inside = _bzhi_u32(0xffff, n);
+  const std::uint32_t inside = _bzhi_u32(0xffff, length);
   const auto points = static_cast<std::uint32_t>(
       _mm_movemask_epi8(_mm_cmpeq_epi8(bytes, _mm_set1_epi8('.')))) & inside;
   const auto others = ~static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(
       _mm_min_epu8(digits, _mm_set1_epi8(9)), digits))) & inside;
-  const bool valid = (others == points) & ((points & (points - 1)) == 0) & (inside != points);
+  const bool valid = (others == points) & (length <= most_digits) & ((points & (points - 1)) == 0) &
+                     (inside != points);
+  const std::uint32_t n = length & 31;
   const std::uint32_t point = _tzcnt_u32(points | 1u << n);
   const std::uint8_t* order = align.from[n][point];
   const __m128i aligned =
       _mm_shuffle_epi8(digits, _mm_load_si128(reinterpret_cast<const __m128i*>(order)));
-  return {multiply_out(aligned), n - point - (points != 0), valid};
+  return {multiply_out(aligned), n - point - (points != 0), points != 0, valid};
 }
 
 /// Numbers with an exponent, and whatever else is rare.
@@ -114,8 +116,7 @@ MDANA_INLINE bool read_real(const char* text, std::uint32_t length, double& valu
 MDANA_INLINE bool read_integer(const char* text, std::uint32_t length, std::int64_t& value) {
   const bool negative = *text == '-';
   const Decimal d = read_decimal(text + negative, length - negative);
-  if (__builtin_expect(!d.valid || std::memchr(text, '.', length), 0))
-    return parse_number({text, length}, value);
+  if (__builtin_expect(!d.valid || d.point, 0)) return parse_number({text, length}, value);
   value = static_cast<std::int64_t>(d.digits);
   if (negative) value = -value;
   return true;

@@ -44,7 +44,7 @@ void count_bytes(benchmark::State& state) {
                           static_cast<std::int64_t>(text().size() - Chunk::padding));
 }
 
-void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all) {
+void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all, bool convert) {
   if (!kernel->supported()) return state.SkipWithError("not supported by this processor");
   const LineShape wanted = shape(all);
   std::vector<TokenBatch> batches(wanted.wanted.size());
@@ -55,13 +55,14 @@ void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all) {
     for (std::size_t done = 0; done < atoms;) {
       const auto scanned = kernel->scan(at, std::min(TokenBatch::capacity, atoms - done), wanted,
                                         batches.data());
-      for (std::size_t k = 0; k < batches.size(); ++k) {
+      for (std::size_t k = 0; convert && k < batches.size(); ++k) {
         if (wanted.wanted[k] < 2)
           kernel->integers(at, batches[k], scanned.lines, integers.data());
         else
           kernel->reals(at, batches[k], scanned.lines, reals.data());
         benchmark::ClobberMemory();
       }
+      benchmark::ClobberMemory();
       at = scanned.end;
       done += scanned.lines;
     }
@@ -94,8 +95,10 @@ const int registered = [] {
     const std::string which = all ? "all_9_columns" : "3_of_9_columns";
     benchmark::RegisterBenchmark(("from_chars/" + which).c_str(), by_from_chars, all);
     for (const LineKernel* kernel : line_kernels())
-      benchmark::RegisterBenchmark((std::string(kernel->name) + "/" + which).c_str(), by_kernel,
-                                   kernel, all);
+      for (const bool convert : {false, true})
+        benchmark::RegisterBenchmark(
+            (std::string(kernel->name) + (convert ? "/" : "_scan_only/") + which).c_str(), by_kernel,
+            kernel, all, convert);
   }
   return 0;
 }();
