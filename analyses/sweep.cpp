@@ -165,9 +165,9 @@ class Sweep {
   }
 
   void convert(Place& place) const {
-    source_->convert(place.chunk, place.block);
+    mdana::convert(place.chunk, place.block);
     if (options_.last_digit_seed)
-      move_last_digits(*source_, place.chunk, header_, wanted_, *options_.last_digit_seed,
+      move_last_digits(place.chunk, header_, wanted_, *options_.last_digit_seed,
                        place.block);
   }
 

@@ -35,6 +35,7 @@ void AtomBlock::reset(std::uint64_t number, std::size_t atoms) {
   atoms_ = atoms;
   for (auto& c : reals_) c.values.resize(atoms);
   for (auto& c : integers_) c.values.resize(atoms);
+  for (auto& c : texts_) c.values.resize(atoms);
 }
 
 std::span<const double> AtomBlock::real(std::string_view name) const {
@@ -43,9 +44,15 @@ std::span<const double> AtomBlock::real(std::string_view name) const {
 std::span<const std::int64_t> AtomBlock::integer(std::string_view name) const {
   return existing(integers_, name);
 }
+std::span<const std::string> AtomBlock::text(std::string_view name) const {
+  return existing(texts_, name);
+}
 std::span<double> AtomBlock::make_real(std::string_view name) { return made(reals_, name, atoms_); }
 std::span<std::int64_t> AtomBlock::make_integer(std::string_view name) {
   return made(integers_, name, atoms_);
+}
+std::span<std::string> AtomBlock::make_text(std::string_view name) {
+  return made(texts_, name, atoms_);
 }
 
 void AtomBlock::put(const AtomBlock& part, std::size_t first) {
@@ -53,10 +60,13 @@ void AtomBlock::put(const AtomBlock& part, std::size_t first) {
     std::ranges::copy(c.values, make_real(c.name).subspan(first).begin());
   for (const auto& c : part.integers_)
     std::ranges::copy(c.values, make_integer(c.name).subspan(first).begin());
+  for (const auto& c : part.texts_)
+    std::ranges::copy(c.values, make_text(c.name).subspan(first).begin());
 }
 
 std::size_t AtomBlock::bytes() const {
-  return atoms_ * (reals_.size() * sizeof(double) + integers_.size() * sizeof(std::int64_t));
+  return atoms_ * (reals_.size() * sizeof(double) + integers_.size() * sizeof(std::int64_t) +
+                   texts_.size() * sizeof(std::string));
 }
 
 }  // namespace mdana

@@ -26,9 +26,12 @@ class AtomBlock {
   std::span<const double> real(std::string_view name) const;
   std::span<const std::int64_t> integer(std::string_view name) const;
 
+  std::span<const std::string> text(std::string_view name) const;
+
   /// The same for writing; makes the column if it is missing.
   std::span<double> make_real(std::string_view name);
   std::span<std::int64_t> make_integer(std::string_view name);
+  std::span<std::string> make_text(std::string_view name);
 
   /// Copies all columns of another block to the atoms from `first` on; makes those that are missing.
   void put(const AtomBlock& part, std::size_t first);
@@ -45,6 +48,7 @@ class AtomBlock {
   std::size_t atoms_ = 0;
   std::vector<Column<double>> reals_;
   std::vector<Column<std::int64_t>> integers_;
+  std::vector<Column<std::string>> texts_;
 };
 
 }  // namespace mdana

@@ -15,10 +15,13 @@ bool ColumnSet::has(std::string_view name) const {
   return std::binary_search(names_.begin(), names_.end(), name, std::less<>{});
 }
 
-bool is_integer_column(std::string_view name) {
+ColumnKind kind_of_column(std::string_view name) {
   constexpr std::array<std::string_view, 8> integers{"id",     "type", "mol", "proc",
                                                      "procp1", "ix",   "iy",  "iz"};
-  return std::find(integers.begin(), integers.end(), name) != integers.end();
+  constexpr std::array<std::string_view, 2> texts{"element", "typelabel"};
+  if (std::ranges::find(integers, name) != integers.end()) return ColumnKind::integer;
+  if (std::ranges::find(texts, name) != texts.end()) return ColumnKind::text;
+  return ColumnKind::real;
 }
 
 }  // namespace mdana

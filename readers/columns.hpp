@@ -18,6 +18,13 @@ class ColumnSet {
     for (std::string_view name : names) add(name);
   }
 
+  /// Every column that a frame has, as it stands there: positions as the dump spells them.
+  static ColumnSet all_as_they_stand() {
+    ColumnSet all;
+    all.as_they_stand_ = true;
+    return all;
+  }
+
   void add(std::string_view name);
   void add(const ColumnSet& other) {
     for (const std::string& name : other.names_) add(name);
@@ -25,12 +32,16 @@ class ColumnSet {
   bool has(std::string_view name) const;
   bool empty() const { return names_.empty(); }
   const std::vector<std::string>& names() const { return names_; }
+  bool as_they_stand() const { return as_they_stand_; }
 
  private:
+  bool as_they_stand_ = false;
   std::vector<std::string> names_;
 };
 
-/// Columns that hold whole numbers: id, type, mol, proc, procp1, ix, iy, iz.
-bool is_integer_column(std::string_view name);
+/// What a column holds, by its name: id, type, mol, proc, procp1, ix, iy, iz are whole numbers,
+/// element and typelabel words, all others real numbers.
+enum class ColumnKind { real, integer, text };
+ColumnKind kind_of_column(std::string_view name);
 
 }  // namespace mdana

@@ -7,22 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "readers/block.hpp"
 #include "readers/byte_source.hpp"
 #include "readers/columns.hpp"
-#include "readers/frame.hpp"
+#include "readers/frame_layout.hpp"
+#include "readers/frame_writer.hpp"
 
 namespace mdana {
 
-/// How decimal text shows the numbers of a column.
-struct PrintedPrecision {
-  int digits = 0;      ///< significant digits at most; 0 if the column is not decimal fractions
-  int decimals = 0;    ///< digits behind the point at most
-  bool fixed = false;  ///< every number has as many decimals (as by %.6f), else digits count (%.10g)
-};
-
-/// The frames of one open input. Cutting is serial; converting a chunk needs nothing but the chunk
-/// and may run on any thread while the next chunk is cut (not while `next` moves on).
+/// The frames of one open input. Cutting is serial; chunks are converted by their own layout, on any
+/// thread.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
@@ -35,20 +28,13 @@ class FrameSource {
   /// last. Throws TruncatedInput.
   virtual bool cut(Chunk& chunk, std::size_t most = AtomBlock::capacity) = 0;
 
-  /// Fills the wanted columns, and no others, of a chunk of the current frame.
-  /// Throws InputError naming line and column.
-  virtual void convert(const Chunk& chunk, AtomBlock& block) const = 0;
-
   /// Back to the first atom of the current frame.
   virtual void restart_frame() = 0;
-
-  /// How the numbers of a column are printed, estimated from the chunk.
-  virtual PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const = 0;
 
   virtual std::vector<InputRecord> records() = 0;  ///< one a file
 };
 
-/// A file format: metadata and two functions. The list of formats is in CMakeLists.txt
+/// A file format: metadata and functions. The list of formats is in CMakeLists.txt
 /// (MDANA_FORMATS); each defines `extern const Format <name>_format`.
 struct Format {
   std::string_view name;
@@ -56,6 +42,10 @@ struct Format {
   bool (*recognises)(std::string_view head);  ///< by the first decompressed bytes
   std::unique_ptr<FrameSource> (*open)(std::unique_ptr<ByteSource> bytes,
                                        const std::filesystem::path& path, const ColumnSet& wanted);
+
+  /// Of formats that are written, too: the ending of file names ("h5"), and what opens a new file.
+  std::string_view ending{};
+  std::unique_ptr<FrameWriter> (*create)(const std::filesystem::path& path) = nullptr;
 };
 
 /// All formats of this build.

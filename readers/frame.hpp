@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct FrameHeader {
   bool has_column(std::string_view name) const;
 };
 
+class FrameLayout;
+
 /// Bytes of one block of atoms as they stand in the file, before conversion.
 struct Chunk {
   /// Readable bytes behind every chunk, so that converters may load whole vector registers.
@@ -37,8 +40,9 @@ struct Chunk {
   std::string_view bytes;        ///< of the mapped file, or of `storage`
   std::vector<char> storage;
 
-  std::size_t piece = 0;     ///< of a frame in several files: the file
-  std::vector<Chunk> parts;  ///< of such a frame: what each file gives to the block, bytes are theirs
+  std::shared_ptr<const FrameLayout> layout;  ///< of the frame
+  std::shared_ptr<const void> file;           ///< what keeps the file open, if the source does not
+  std::vector<Chunk> parts;  ///< of a frame in several files: what each gives, bytes are theirs
 };
 
 }  // namespace mdana

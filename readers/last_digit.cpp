@@ -37,9 +37,8 @@ double last_digit_unit(double value, const PrintedPrecision& printed) {
 /// The random moves of one column of a chunk.
 class Moves {
  public:
-  Moves(const FrameSource& source, const Chunk& chunk, std::int64_t step, std::uint64_t seed,
-        std::string_view column)
-      : printed_(source.printed_precision(chunk, column)),
+  Moves(const Chunk& chunk, std::int64_t step, std::uint64_t seed, std::string_view column)
+      : printed_(chunk.layout->printed_precision(chunk, column)),
         start_(mix(mix(mix(seed) ^ static_cast<std::uint64_t>(step)) ^ hash(column)) +
                chunk.number * AtomBlock::capacity) {}
 
@@ -82,16 +81,17 @@ void move_positions(const PositionSource& positions, const Box& box, AtomBlock& 
 
 }  // namespace
 
-void move_last_digits(const FrameSource& source, const Chunk& chunk, const FrameHeader& header,
-                      const ColumnSet& wanted, std::uint64_t seed, AtomBlock& block) {
+void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
+                      std::uint64_t seed, AtomBlock& block) {
   const auto moves_of = [&](const std::string& column) {
-    return Moves(source, chunk, header.step, seed, column);
+    return Moves(chunk, header.step, seed, column);
   };
   const auto positions = position_source(header.columns);
   if (wanted.has("x") && positions) move_positions(*positions, header.box, block, moves_of);
   for (const std::string& column : wanted.names()) {
     const bool position = column == "x" || column == "y" || column == "z";
-    if (position || column == "mass" || is_integer_column(column)) continue;
+    if (position || column == "mass" || kind_of_column(column) != ColumnKind::real)
+      continue;
     const Moves moves = moves_of(column);
     const auto values = block.make_real(column);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += moves(i, values[i]);

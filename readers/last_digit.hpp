@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "readers/format.hpp"
+#include "readers/columns.hpp"
+#include "readers/frame_layout.hpp"
 
 namespace mdana {
 
@@ -12,7 +13,7 @@ namespace mdana {
 /// Masses are constants of the model and stay.
 /// The same seed moves the same value in the same way, whatever the threads or memory. Positions
 /// are moved by the digits of the columns that they are made from.
-void move_last_digits(const FrameSource& source, const Chunk& chunk, const FrameHeader& header,
-                      const ColumnSet& wanted, std::uint64_t seed, AtomBlock& block);
+void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
+                      std::uint64_t seed, AtomBlock& block);
 
 }  // namespace mdana

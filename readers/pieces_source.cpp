@@ -22,6 +22,34 @@ std::string difference(const FrameHeader& a, const FrameHeader& b) {
   return {};
 }
 
+/// Blocks out of parts that the pieces' own layouts convert.
+class JoinedLayout final : public FrameLayout {
+ public:
+  void convert(const Chunk& chunk, AtomBlock& block) const override {
+    if (chunk.parts.size() == 1) return mdana::convert(chunk.parts.front(), block);
+    block.reset(chunk.number, chunk.atoms);
+    AtomBlock converted;
+    std::size_t at = 0;
+    for (const Chunk& part : chunk.parts) {
+      mdana::convert(part, converted);
+      block.put(converted, at);
+      at += part.atoms;
+    }
+  }
+
+  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
+    PrintedPrecision all{0, 0, true};
+    for (const Chunk& part : chunk.parts) {
+      const PrintedPrecision one = part.layout->printed_precision(part, column);
+      if (one.digits == 0) continue;
+      const bool same_decimals = all.digits == 0 || one.decimals == all.decimals;
+      all = {std::max(all.digits, one.digits), std::max(all.decimals, one.decimals),
+             all.fixed && one.fixed && same_decimals};
+    }
+    return all.digits == 0 ? PrintedPrecision{} : all;
+  }
+};
+
 class PiecesSource final : public FrameSource {
  public:
   explicit PiecesSource(std::vector<std::unique_ptr<FrameSource>> pieces)
@@ -48,39 +76,16 @@ class PiecesSource final : public FrameSource {
     chunk.number = (atoms_ - atoms_left_) / AtomBlock::capacity;
     chunk.atoms = static_cast<std::size_t>(std::min<std::uint64_t>(atoms_left_, most));
     chunk.bytes = {};
+    chunk.layout = layout_;
     cut_parts(chunk);
     chunk.first_line = chunk.parts.front().first_line;
     atoms_left_ -= chunk.atoms;
     return true;
   }
 
-  void convert(const Chunk& chunk, AtomBlock& block) const override {
-    if (chunk.parts.size() == 1) return convert_part(chunk.parts.front(), block);
-    block.reset(chunk.number, chunk.atoms);
-    AtomBlock converted;
-    std::size_t at = 0;
-    for (const Chunk& part : chunk.parts) {
-      convert_part(part, converted);
-      block.put(converted, at);
-      at += part.atoms;
-    }
-  }
-
   void restart_frame() override {
     for (const auto& piece : pieces_) piece->restart_frame();
     at_first_atom();
-  }
-
-  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
-    PrintedPrecision all{0, 0, true};
-    for (const Chunk& part : chunk.parts) {
-      const PrintedPrecision one = pieces_[part.piece]->printed_precision(part, column);
-      if (one.digits == 0) continue;
-      const bool same_decimals = all.digits == 0 || one.decimals == all.decimals;
-      all = {std::max(all.digits, one.digits), std::max(all.decimals, one.decimals),
-             all.fixed && one.fixed && same_decimals};
-    }
-    return all.digits == 0 ? PrintedPrecision{} : all;
   }
 
   std::vector<InputRecord> records() override {
@@ -118,19 +123,15 @@ class PiecesSource final : public FrameSource {
         continue;
       }
       part.number = chunk.number;
-      part.piece = piece_;
       left -= part.atoms;
       ++used;
     }
     chunk.parts.resize(used);
   }
 
-  void convert_part(const Chunk& part, AtomBlock& block) const {
-    pieces_[part.piece]->convert(part, block);
-  }
-
   std::vector<std::unique_ptr<FrameSource>> pieces_;
   std::vector<FrameHeader> headers_;
+  std::shared_ptr<const FrameLayout> layout_ = std::make_shared<JoinedLayout>();
   std::uint64_t frames_ = 0;
   std::uint64_t atoms_ = 0;
   std::uint64_t atoms_left_ = 0;

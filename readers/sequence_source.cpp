@@ -30,18 +30,12 @@ class SequenceSource final : public FrameSource {
   }
 
   bool cut(Chunk& chunk, std::size_t most) override {
-    return current_ && current_->cut(chunk, most);
-  }
-
-  void convert(const Chunk& chunk, AtomBlock& block) const override {
-    current_->convert(chunk, block);
+    if (!current_ || !current_->cut(chunk, most)) return false;
+    chunk.file = current_;  // which is left for the next one while its chunks are still in use
+    return true;
   }
 
   void restart_frame() override { current_->restart_frame(); }
-
-  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
-    return current_->printed_precision(chunk, column);
-  }
 
   /// Of all files, also those behind one that is damaged.
   std::vector<InputRecord> records() override {
@@ -63,7 +57,7 @@ class SequenceSource final : public FrameSource {
   FileSet files_;
   OpenPieces open_;
   std::size_t opened_ = 0;
-  std::unique_ptr<FrameSource> current_;
+  std::shared_ptr<FrameSource> current_;
   std::uint64_t frames_ = 0;
   std::vector<InputRecord> passed_;
 };

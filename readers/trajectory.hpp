@@ -30,7 +30,7 @@ FrameHeader for_first_frame(const std::filesystem::path& path, const ColumnSet& 
   Chunk chunk;
   AtomBlock block;
   while (source->cut(chunk)) {
-    source->convert(chunk, block);
+    convert(chunk, block);
     use(static_cast<const AtomBlock&>(block));
   }
   return header;

@@ -44,54 +44,32 @@ std::size_t copy_whole(const Strided& from, std::span<std::int64_t> to) {
 }  // namespace
 
 AtomLayout::AtomLayout(const Header& header, const ColumnSet& wanted)
-    : columns_(header.frame.columns.size()),
+    : choice_(header.frame, wanted),
+      columns_in_file_(header.frame.columns.size()),
       swapped_(header.swapped),
-      box_(header.frame.box),
-      place_(header.frame.place) {
-  positions_wanted_ = wanted.has("x") || wanted.has("y") || wanted.has("z");
-  if (positions_wanted_) {
-    const auto source = position_source(header.frame.columns);
-    if (!source)
-      throw InputError(fmt::format("{}: no position columns (x y z, xs, xu or xsu)", place_));
-    positions_ = *source;
-    for (const std::string& name : positions_.columns) add(header.frame, name);
-    if (positions_.image_flags)
-      for (const char* name : {"ix", "iy", "iz"}) add(header.frame, name);
-  }
-  for (const std::string& name : wanted.names())
-    if (name != "x" && name != "y" && name != "z") add(header.frame, name);
-}
-
-void AtomLayout::add(const FrameHeader& header, const std::string& name) {
-  const auto it = std::find(header.columns.begin(), header.columns.end(), name);
-  if (it == header.columns.end())
-    throw InputError(fmt::format("{}: this frame has no column '{}'", place_, name));
-  const auto column = static_cast<std::size_t>(it - header.columns.begin());
-  for (const Slot& s : slots_)
-    if (s.file_column == column) return;
-  slots_.push_back({column, name, is_integer_column(name)});
-}
+      place_(header.frame.place) {}
 
 void AtomLayout::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);
   for (std::size_t first = 0; first < chunk.atoms; first += atoms_at_once) {
     const std::size_t last = std::min(first + atoms_at_once, chunk.atoms);
-    for (const Slot& slot : slots_) copy(chunk, slot, first, last, block);
+    for (const auto& column : choice_.columns()) copy(chunk, column, first, last, block);
   }
-  if (positions_wanted_) make_positions(positions_, box_, block);
+  choice_.finish(block);
 }
 
-void AtomLayout::copy(const Chunk& chunk, const Slot& slot, std::size_t first, std::size_t last,
-                      AtomBlock& block) const {
+void AtomLayout::copy(const Chunk& chunk, const ColumnChoice::Column& column, std::size_t first,
+                      std::size_t last, AtomBlock& block) const {
   const std::size_t atoms = last - first;
-  const Strided from{
-      chunk.bytes.data() + first * bytes_of_atom() + slot.file_column * sizeof(double),
-      bytes_of_atom(), swapped_};
-  if (!slot.integer) return copy_real(from, block.make_real(slot.name).subspan(first, atoms));
-  const std::size_t whole = copy_whole(from, block.make_integer(slot.name).subspan(first, atoms));
+  const Strided from{chunk.bytes.data() + first * bytes_of_atom() + column.in_file * sizeof(double),
+                     bytes_of_atom(), swapped_};
+  if (column.kind != ColumnKind::integer)  // there are no words in binary dumps
+    return copy_real(from, block.make_real(column.name).subspan(first, atoms));
+  const std::size_t whole = copy_whole(from, block.make_integer(column.name).subspan(first, atoms));
   if (whole < atoms)
     throw InputError(fmt::format("{}: atom {}: {} in column {} is not a whole number in range",
-                                 place_, chunk.first_line + first + whole, from[whole], slot.name));
+                                 place_, chunk.first_line + first + whole, from[whole],
+                                 column.name));
 }
 
 }  // namespace mdana::lammps_binary

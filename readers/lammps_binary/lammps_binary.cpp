@@ -33,7 +33,7 @@ class LammpsBinary final : public FrameSource {
       return false;
     }
     header_ = *found;
-    layout_ = AtomLayout(header_, wanted_);
+    layout_ = std::make_shared<AtomLayout>(header_, wanted_);
     ++frames_;
     file_.mark();
     at_first_atom();
@@ -48,14 +48,11 @@ class LammpsBinary final : public FrameSource {
     chunk.number = first / AtomBlock::capacity;
     chunk.first_line = first + 1;
     chunk.atoms = static_cast<std::size_t>(std::min<std::uint64_t>(atoms_left_, most));
+    chunk.layout = layout_;
     find_rank();
     if (!view(chunk)) gather(chunk);
     if (atoms_left_ == 0) expect_no_more();
     return true;
-  }
-
-  void convert(const Chunk& chunk, AtomBlock& block) const override {
-    layout_.convert(chunk, block);
   }
 
   void restart_frame() override {
@@ -63,12 +60,11 @@ class LammpsBinary final : public FrameSource {
     at_first_atom();
   }
 
-  /// The numbers are those of the run, bit by bit.
-  PrintedPrecision printed_precision(const Chunk&, std::string_view) const override { return {}; }
-
   std::vector<InputRecord> records() override { return {file_.bytes().record()}; }
 
  private:
+  std::size_t bytes_of_atom() const { return header_.frame.columns.size() * sizeof(double); }
+
   void at_first_atom() {
     atoms_left_ = header_.frame.atoms;
     atoms_left_in_rank_ = 0;
@@ -78,7 +74,7 @@ class LammpsBinary final : public FrameSource {
   /// The chunk as it stands in a mapped file, if it is within one rank's block.
   bool view(Chunk& chunk) {
     if (atoms_left_in_rank_ < chunk.atoms) return false;
-    const auto bytes = file_.view(chunk.atoms * layout_.bytes_of_atom(), Chunk::padding);
+    const auto bytes = file_.view(chunk.atoms * bytes_of_atom(), Chunk::padding);
     if (!bytes) return false;
     chunk.bytes = *bytes;
     passed(chunk.atoms);
@@ -91,7 +87,7 @@ class LammpsBinary final : public FrameSource {
       find_rank();
       const auto atoms =
           static_cast<std::size_t>(std::min<std::uint64_t>(left, atoms_left_in_rank_));
-      const std::size_t bytes = atoms * layout_.bytes_of_atom();
+      const std::size_t bytes = atoms * bytes_of_atom();
       expect_bytes(file_.append(bytes, chunk.storage), bytes);
       passed(atoms);
       left -= atoms;
@@ -104,7 +100,7 @@ class LammpsBinary final : public FrameSource {
   void skip_atoms() {
     while (atoms_left_ > 0) {
       find_rank();
-      const std::uint64_t bytes = atoms_left_in_rank_ * layout_.bytes_of_atom();
+      const std::uint64_t bytes = atoms_left_in_rank_ * bytes_of_atom();
       expect_bytes(file_.skip(bytes), bytes);
       passed(atoms_left_in_rank_);
     }
@@ -158,13 +154,13 @@ class LammpsBinary final : public FrameSource {
           fmt::format("within the atoms of frame {} (step {}): of {} atoms at most {} are "
                       "there",
                       header_.frame.index, header_.frame.step, header_.frame.atoms,
-                      header_.frame.atoms - atoms_left_ + got / layout_.bytes_of_atom()));
+                      header_.frame.atoms - atoms_left_ + got / bytes_of_atom()));
   }
 
   Stretches file_;
   ColumnSet wanted_;
   Header header_;
-  AtomLayout layout_;
+  std::shared_ptr<const AtomLayout> layout_;
   std::uint64_t frames_ = 0;
   std::uint64_t atoms_left_ = 0;
   std::uint64_t atoms_left_in_rank_ = 0;

@@ -61,46 +61,20 @@ Digits digits_of(std::string_view token) {
 
 }  // namespace
 
-AtomLayout::AtomLayout(const FrameHeader& header, const ColumnSet& wanted)
-    : columns_(header.columns.size()), box_(header.box) {
-  positions_wanted_ = wanted.has("x") || wanted.has("y") || wanted.has("z");
-  if (positions_wanted_) {
-    const auto source = position_source(header.columns);
-    if (!source)
-      throw InputError(fmt::format("{}: no position columns (x y z, xs, xu or xsu)", header.place));
-    positions_ = *source;
-    for (const std::string& name : positions_.columns) add(header, name);
-    if (positions_.image_flags)
-      for (const char* name : {"ix", "iy", "iz"}) add(header, name);
-  }
-  for (const std::string& name : wanted.names())
-    if (name != "x" && name != "y" && name != "z") add(header, name);
-  std::sort(slots_.begin(), slots_.end(),
-            [](const Slot& a, const Slot& b) { return a.file_column < b.file_column; });
-}
-
-void AtomLayout::add(const FrameHeader& header, const std::string& name) {
-  const auto it = std::find(header.columns.begin(), header.columns.end(), name);
-  if (it == header.columns.end())
-    throw InputError(fmt::format("{}: this frame has no column '{}'", header.place, name));
-  const auto column = static_cast<std::size_t>(it - header.columns.begin());
-  for (const Slot& s : slots_)
-    if (s.file_column == column) return;
-  slots_.push_back({column, name, is_integer_column(name)});
-}
+AtomLayout::AtomLayout(const FrameHeader& header, const ColumnSet& wanted, std::string path,
+                       const LineKernel& kernel)
+    : choice_(header, wanted), names_(header.columns), path_(std::move(path)), kernel_(kernel) {}
 
 /// Converts the lines of one chunk: batches of lines by the kernel, the lines and tokens that it
 /// leaves one by one, which also finds the words for what is wrong with them.
 class AtomLayout::Conversion {
  public:
-  Conversion(const AtomLayout& layout, const Chunk& chunk, const std::string& path,
-             AtomBlock& block, const LineKernel& kernel)
-      : layout_(layout), chunk_(chunk), path_(path), kernel_(kernel) {
-    shape_.columns = static_cast<std::uint32_t>(layout.columns_);
-    for (const Slot& s : layout.slots_) {
-      shape_.wanted.push_back(static_cast<std::uint32_t>(s.file_column));
-      targets_.push_back({s.integer ? nullptr : block.make_real(s.name).data(),
-                          s.integer ? block.make_integer(s.name).data() : nullptr});
+  Conversion(const AtomLayout& layout, const Chunk& chunk, AtomBlock& block)
+      : layout_(layout), chunk_(chunk) {
+    shape_.columns = static_cast<std::uint32_t>(layout.names_.size());
+    for (const auto& column : layout.choice_.columns()) {
+      shape_.wanted.push_back(static_cast<std::uint32_t>(column.in_file));
+      targets_.push_back(target(column, block));
     }
     batches_.resize(targets_.size());
   }
@@ -109,7 +83,7 @@ class AtomLayout::Conversion {
     Cursor c{chunk_.bytes.data()};
     for (std::size_t done = 0; done < chunk_.atoms;) {
       const std::size_t lines = std::min(TokenBatch::capacity, chunk_.atoms - done);
-      const LineKernel::Scanned scanned = kernel_.scan(c.at, lines, shape_, batches_.data());
+      const LineKernel::Scanned scanned = layout_.kernel_.scan(c.at, lines, shape_, batches_.data());
       for (std::size_t k = 0; k < targets_.size(); ++k) column(c.at, k, done, scanned.lines);
       c.at = scanned.end;
       done += scanned.lines;
@@ -118,59 +92,74 @@ class AtomLayout::Conversion {
   }
 
  private:
+  /// Where a column goes: one of the three.
   struct Target {
-    double* real;
-    std::int64_t* integer;
+    double* real = nullptr;
+    std::int64_t* integer = nullptr;
+    std::string* text = nullptr;
   };
+
+  static Target target(const ColumnChoice::Column& column, AtomBlock& block) {
+    switch (column.kind) {
+      case ColumnKind::integer: return {nullptr, block.make_integer(column.name).data(), nullptr};
+      case ColumnKind::text: return {nullptr, nullptr, block.make_text(column.name).data()};
+      case ColumnKind::real: break;
+    }
+    return {block.make_real(column.name).data(), nullptr, nullptr};
+  }
 
   void column(const char* text, std::size_t k, std::size_t first, std::size_t lines) {
     const Target& t = targets_[k];
     const TokenBatch& tokens = batches_[k];
-    std::uint64_t failed = t.real ? kernel_.reals(text, tokens, lines, t.real + first)
-                                  : kernel_.integers(text, tokens, lines, t.integer + first);
-    for (; failed; failed &= failed - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(failed));
+    std::uint64_t left = lines == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << lines) - 1;
+    if (t.real) left = layout_.kernel_.reals(text, tokens, lines, t.real + first);
+    if (t.integer) left = layout_.kernel_.integers(text, tokens, lines, t.integer + first);
+    for (; left; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
       token({text + tokens.offset[i], tokens.length[i]}, k, first + i);
     }
   }
 
   void line(Cursor& c, std::size_t atom) {
     const std::vector<std::string_view> tokens = take_line(c);
-    if (tokens.size() != layout_.columns_)
+    if (tokens.size() != shape_.columns)
       throw InputError(fmt::format("{}: {} columns (the header names {})", where(atom),
-                                   tokens.size(), layout_.columns_));
+                                   tokens.size(), shape_.columns));
     for (std::size_t k = 0; k < targets_.size(); ++k) token(tokens[shape_.wanted[k]], k, atom);
   }
 
   void token(std::string_view text, std::size_t k, std::size_t atom) {
     const Target& t = targets_[k];
+    if (t.text) {
+      t.text[atom] = text;
+      return;
+    }
     if (t.real ? parse_number(text, t.real[atom]) : parse_number(text, t.integer[atom])) return;
     throw InputError(fmt::format("{}: '{}' in column {} is not {}", where(atom), text.substr(0, 40),
-                                 layout_.slots_[k].name,
+                                 layout_.choice_.columns()[k].name,
                                  t.real ? "a number" : "a whole number in range"));
   }
 
   std::string where(std::size_t atom) const {
-    return fmt::format("{}:{}", path_, chunk_.first_line + atom);
+    return fmt::format("{}:{}", layout_.path_, chunk_.first_line + atom);
   }
 
   const AtomLayout& layout_;
   const Chunk& chunk_;
-  const std::string& path_;
-  const LineKernel& kernel_;
   LineShape shape_;
   std::vector<Target> targets_;
   std::vector<TokenBatch> batches_;
 };
 
-void AtomLayout::convert(const Chunk& chunk, const std::string& path, AtomBlock& block,
-                         const LineKernel& kernel) const {
+void AtomLayout::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);
-  Conversion(*this, chunk, path, block, kernel).run();
-  if (positions_wanted_) make_positions(positions_, box_, block);
+  Conversion(*this, chunk, block).run();
+  choice_.finish(block);
 }
 
-PrintedPrecision printed_precision(const Chunk& chunk, std::size_t file_column) {
+PrintedPrecision AtomLayout::printed_precision(const Chunk& chunk, std::string_view column) const {
+  const auto file_column =
+      static_cast<std::size_t>(std::ranges::find(names_, column) - names_.begin());
   Cursor c{chunk.bytes.data()};
   PrintedPrecision printed;
   bool exponents = false;

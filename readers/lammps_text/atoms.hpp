@@ -4,47 +4,33 @@
 #include <string>
 #include <vector>
 
-#include "readers/block.hpp"
-#include "readers/columns.hpp"
-#include "readers/format.hpp"
-#include "readers/frame.hpp"
+#include "readers/column_choice.hpp"
+#include "readers/frame_layout.hpp"
 #include "readers/lammps_text/line_kernel.hpp"
-#include "readers/positions.hpp"
 
 namespace mdana::lammps_text {
 
-/// Which numbers of an atom line become which columns of a block.
-class AtomLayout {
+/// Which words of an atom line become which columns of a block.
+class AtomLayout final : public FrameLayout {
  public:
-  AtomLayout() = default;
+  /// `path` is that of the file, for messages. Throws InputError if the frame lacks a wanted column.
+  AtomLayout(const FrameHeader& header, const ColumnSet& wanted, std::string path,
+             const LineKernel& kernel = best_line_kernel());
 
-  /// Throws InputError if the frame lacks a wanted column.
-  AtomLayout(const FrameHeader& header, const ColumnSet& wanted);
+  /// Numbers are correctly rounded. Throws InputError naming line and column at a word that is no
+  /// number, and at a line whose number of columns is not that of the header.
+  void convert(const Chunk& chunk, AtomBlock& block) const override;
 
-  /// Converts the wanted columns of the chunk's lines, correctly rounded. Throws InputError naming
-  /// `path`, line and column at a token that is no number, and at a line whose number of columns is
-  /// not that of the header.
-  void convert(const Chunk& chunk, const std::string& path, AtomBlock& block,
-               const LineKernel& kernel = best_line_kernel()) const;
+  /// From the whole chunk. A column of whole numbers only counts as exact (no digits).
+  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override;
 
  private:
   class Conversion;
-  struct Slot {
-    std::size_t file_column;
-    std::string name;
-    bool integer;
-  };
-  void add(const FrameHeader& header, const std::string& name);
 
-  std::vector<Slot> slots_;  ///< in file order
-  std::size_t columns_ = 0;  ///< in the file
-  bool positions_wanted_ = false;
-  PositionSource positions_;
-  Box box_;
+  ColumnChoice choice_;
+  std::vector<std::string> names_;  ///< of all columns in the file
+  std::string path_;
+  const LineKernel& kernel_;
 };
-
-/// How the values of a column are printed, from the whole chunk. A column of whole numbers only
-/// counts as exact (no digits).
-PrintedPrecision printed_precision(const Chunk& chunk, std::size_t file_column);
 
 }  // namespace mdana::lammps_text

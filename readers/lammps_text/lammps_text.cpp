@@ -29,7 +29,7 @@ class LammpsText final : public FrameSource {
       return false;
     }
     header_ = *found;
-    layout_ = AtomLayout(header_, wanted_);
+    layout_ = std::make_shared<AtomLayout>(header_, wanted_, path_);
     ++frames_;
     lines_left_ = header_.atoms;
     lines_.mark();
@@ -39,6 +39,7 @@ class LammpsText final : public FrameSource {
 
   bool cut(Chunk& chunk, std::size_t most) override {
     if (lines_left_ == 0) return false;
+    chunk.layout = layout_;
     chunk.number = (header_.atoms - lines_left_) / AtomBlock::capacity;
     chunk.first_line = lines_.number() + 1;
     chunk.atoms = std::min<std::size_t>(lines_left_, most);
@@ -49,20 +50,9 @@ class LammpsText final : public FrameSource {
     return true;
   }
 
-  void convert(const Chunk& chunk, AtomBlock& block) const override {
-    layout_.convert(chunk, path_, block);
-  }
-
   void restart_frame() override {
     lines_.reset();
     lines_left_ = header_.atoms;
-  }
-
-  PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
-    const auto it = std::find(header_.columns.begin(), header_.columns.end(), column);
-    if (it == header_.columns.end()) return {};
-    return lammps_text::printed_precision(chunk,
-                                          static_cast<std::size_t>(it - header_.columns.begin()));
   }
 
   std::vector<InputRecord> records() override { return {lines_.bytes().record()}; }
@@ -87,7 +77,7 @@ class LammpsText final : public FrameSource {
   std::string path_;
   ColumnSet wanted_;
   FrameHeader header_;
-  AtomLayout layout_;
+  std::shared_ptr<const AtomLayout> layout_;
   std::uint64_t frames_ = 0;
   std::uint64_t lines_left_ = 0;
 };

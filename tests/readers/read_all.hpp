@@ -29,7 +29,7 @@ struct WholeTrajectory {
 inline void append(const AtomBlock& block, const ColumnSet& wanted, WholeFrame& frame) {
   frame.block_atoms.push_back(block.atoms());
   for (const std::string& name : wanted.names()) {
-    if (is_integer_column(name)) {
+    if (kind_of_column(name) == ColumnKind::integer) {
       const auto values = block.integer(name);
       frame.integer[name].insert(frame.integer[name].end(), values.begin(), values.end());
     } else {
@@ -43,7 +43,7 @@ inline void read_blocks(FrameSource& source, const ColumnSet& wanted, WholeFrame
   Chunk chunk;
   AtomBlock block;
   while (source.cut(chunk)) {
-    source.convert(chunk, block);
+    convert(chunk, block);
     append(block, wanted, frame);
   }
 }

@@ -24,8 +24,8 @@ TEST(ColumnSet, KnowsItsMembers) {
 
 TEST(ColumnSet, WholeNumbersAreKnownByName) {
   for (const char* name : {"id", "type", "mol", "ix", "iy", "iz", "proc"})
-    EXPECT_TRUE(is_integer_column(name)) << name;
-  for (const char* name : {"x", "ids", "mass", "", "q"}) EXPECT_FALSE(is_integer_column(name));
+    EXPECT_TRUE(kind_of_column(name) == ColumnKind::integer) << name;
+  for (const char* name : {"x", "ids", "mass", "", "q"}) EXPECT_EQ(kind_of_column(name), ColumnKind::real);
 }
 
 TEST(AtomBlock, ColumnsAreKeptForReuse) {

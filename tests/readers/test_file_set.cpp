@@ -267,8 +267,8 @@ TEST_F(FileSets, PrintedPrecisionIsThatOfOneFile) {
     FrameHeader header;
     Chunk chunk;
     ASSERT_TRUE(source->next(header) && source->cut(chunk));
-    found.push_back(source->printed_precision(chunk, "q"));
-    EXPECT_EQ(source->printed_precision(chunk, "id").digits, 0);
+    found.push_back(chunk.layout->printed_precision(chunk, "q"));
+    EXPECT_EQ(chunk.layout->printed_precision(chunk, "id").digits, 0);
   }
   EXPECT_EQ(found[0].digits, found[1].digits);
   EXPECT_EQ(found[0].decimals, 3);

@@ -72,7 +72,7 @@ TEST(BinaryAtoms, ChunksAreNumberedAndCountAtoms) {
   for (std::uint64_t k = 0; source->cut(chunk); ++k) {
     EXPECT_EQ(chunk.number, k);
     EXPECT_EQ(chunk.first_line, 1 + k * capacity);
-    EXPECT_TRUE(source->printed_precision(chunk, "q").digits == 0);
+    EXPECT_TRUE(chunk.layout->printed_precision(chunk, "q").digits == 0);
   }
   EXPECT_FALSE(source->cut(chunk));
 }

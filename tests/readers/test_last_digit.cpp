@@ -27,8 +27,8 @@ class LastDigit : public ::testing::Test {
     AtomBlock block;
     std::vector<double> values;
     while (source->cut(chunk)) {
-      source->convert(chunk, block);
-      if (seed) move_last_digits(*source, chunk, header, wanted, *seed, block);
+      convert(chunk, block);
+      if (seed) move_last_digits(chunk, header, wanted, *seed, block);
       const auto part = std::as_const(block).real(column);
       values.insert(values.end(), part.begin(), part.end());
     }
