@@ -8,34 +8,35 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "analyses/analysis.hpp"
+#include "analyses/frame_run.hpp"
+#include "readers/frame_choice.hpp"
 #include "readers/input_record.hpp"
 #include "readers/masses.hpp"
 
 namespace mdana {
 
+/// How far a sweep is.
+struct Progress {
+  std::uint64_t frames = 0;     ///< done
+  std::optional<double> share;  ///< of the input, 0 to 1, if it is known
+};
+
 struct SweepOptions {
-  std::uint64_t stride = 1;                     ///< use frames 0, stride, 2 stride, ...
+  FrameChoice choice;                           ///< of frames
+  std::optional<Selection> selection;           ///< of atoms
   std::optional<std::uint64_t> frames;          ///< stop after so many
-  std::size_t threads = 1;                      ///< for the blocks of a frame; at least 1
+  std::size_t threads = 1;                      ///< at least 1
   std::size_t memory = std::size_t{128} << 20;  ///< bytes for blocks kept between two rounds
+  bool strict = false;                          ///< damaged input is an error, not a result
   /// Moves every converted real number at random within its last printed digit (see
   /// readers/last_digit.hpp); the number is the seed.
   std::optional<std::uint64_t> last_digit_seed;
-  const std::atomic<int>* stop = nullptr;       ///< set to a signal number to stop
-  std::function<void(std::uint64_t frames)> progress;  ///< called after each frame
-};
-
-/// The sweep was stopped by a signal.
-class Interrupted : public std::runtime_error {
- public:
-  explicit Interrupted(int number)
-      : std::runtime_error("stopped by a signal"), signal(number) {}
-  int signal;
+  const std::atomic<int>* stop = nullptr;  ///< set to a signal number to stop
+  std::function<void(const Progress&)> progress;  ///< called after each frame
 };
 
 /// One row a frame in each table, in the order of the analyses.
@@ -43,7 +44,8 @@ struct SweepResult {
   std::vector<Table> tables;
   std::vector<std::int64_t> steps;   ///< of the frames used
   std::vector<double> stated_times;  ///< [time] as the dump states them; empty if it does not
-  bool positions_may_jump = false;   ///< wrapped at periodic faces, without image flags
+  bool unwrapped = false;            ///< positions, by continuity: there are no image flags
+  std::uint64_t uncertain_images = 0;  ///< most atoms of a frame whose image is uncertain
   std::string damage;                ///< why reading ended before the end of the file, else empty
   std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep
   double seconds = 0;
@@ -52,7 +54,9 @@ struct SweepResult {
 /// The one loop over frames: reads a trajectory once, only the columns that the analyses need, and
 /// gives every block of atoms to all of them. Analyses that need the bodies' motion see the blocks
 /// of a frame a second time (from memory if they fit, else read again); for them the list must hold
-/// a motion analysis, by convention its first.
+/// a motion analysis, by convention its first. Threads share the blocks of large frames, and small
+/// frames; the bits of the result do not depend on them.
+/// Wrapped positions without image flags are unwrapped by continuity (see analyses/box_centres.hpp).
 /// Frames from one that is damaged on are left out and `damage` says why; throws InputError if
 /// nothing can be used at all, Interrupted if `stop` is set, std::invalid_argument at stride 0.
 SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,

@@ -64,6 +64,20 @@ void AtomBlock::put(const AtomBlock& part, std::size_t first) {
     std::ranges::copy(c.values, make_text(c.name).subspan(first).begin());
 }
 
+void AtomBlock::keep(std::span<const std::uint32_t> atoms) {
+  const auto keep_in = [&](auto& columns) {
+    for (auto& column : columns) {
+      for (std::size_t i = 0; i < atoms.size(); ++i)
+        if (atoms[i] != i) column.values[i] = std::move(column.values[atoms[i]]);
+      column.values.resize(atoms.size());
+    }
+  };
+  keep_in(reals_);
+  keep_in(integers_);
+  keep_in(texts_);
+  atoms_ = atoms.size();
+}
+
 std::size_t AtomBlock::bytes() const {
   return atoms_ * (reals_.size() * sizeof(double) + integers_.size() * sizeof(std::int64_t) +
                    texts_.size() * sizeof(std::string));

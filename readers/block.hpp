@@ -36,6 +36,9 @@ class AtomBlock {
   /// Copies all columns of another block to the atoms from `first` on; makes those that are missing.
   void put(const AtomBlock& part, std::size_t first);
 
+  /// Keeps the atoms of these ascending indices only.
+  void keep(std::span<const std::uint32_t> atoms);
+
   std::size_t bytes() const;  ///< memory held by the arrays
 
  private:

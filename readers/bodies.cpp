@@ -11,6 +11,7 @@
 
 #include "readers/clusters.hpp"
 #include "readers/input_error.hpp"
+#include "readers/positions.hpp"
 #include "readers/trajectory.hpp"
 
 namespace mdana {
@@ -18,10 +19,22 @@ namespace {
 
 constexpr std::size_t most_bodies = 255;
 
+/// The first frame, and which of its atoms count.
+struct FirstFrame {
+  const std::filesystem::path& dump;
+  const FrameHeader& header;
+  const std::optional<Selection>& selection;
+
+  template <class Use>
+  void for_blocks(const ColumnSet& wanted, Use&& use) const {
+    for_first_frame(dump, wanted, std::forward<Use>(use), selection);
+  }
+};
+
 /// The distinct values of an integer column in the first frame; stops counting beyond 255.
-std::vector<std::int64_t> distinct(const std::filesystem::path& dump, const std::string& column) {
+std::vector<std::int64_t> distinct(const FirstFrame& frame, const std::string& column) {
   std::set<std::int64_t> values;
-  for_first_frame(dump, {column}, [&](const AtomBlock& block) {
+  frame.for_blocks({column}, [&](const AtomBlock& block) {
     for (const std::int64_t v : block.integer(column))
       if (values.size() <= most_bodies) values.insert(v);
   });
@@ -35,11 +48,11 @@ Bodies one_a_value(const std::string& column, const std::vector<std::int64_t>& v
   return {column, runs, fmt::format("{} {}", column, fmt::join(values, ", "))};
 }
 
-Bodies by_values(const std::filesystem::path& dump, const FrameHeader& first,
-                 const std::string& column) {
+Bodies by_values(const FirstFrame& frame, const std::string& column) {
+  const FrameHeader& first = frame.header;
   if (!first.has_column(column))
     throw InputError(fmt::format("{}: no column '{}' for --bodies {}", first.place, column, column));
-  const auto values = distinct(dump, column);
+  const auto values = distinct(frame, column);
   if (values.size() > most_bodies)
     throw InputError(fmt::format("{}: more than {} different values of '{}'; use another --bodies",
                                  first.place, most_bodies, column));
@@ -82,12 +95,21 @@ Bodies by_id_range(const FrameHeader& first, const std::string& rule) {
   return {"id", runs, fmt::format("ids {} to {}, and all others", a, b)};
 }
 
-Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) {
+/// The box, periodic where bodies may lie across its faces.
+Box wrapping_box(const FrameHeader& first) {
+  Box box = first.box;
+  const auto positions = position_source(first.columns);
+  if (!positions || !positions->may_jump(box)) box.periodic = {false, false, false};
+  return box;
+}
+
+Bodies by_clusters(const FirstFrame& frame) {
+  const FrameHeader& first = frame.header;
   if (!first.has_column("id"))
     throw InputError(fmt::format("{}: no column 'id' to follow clusters by", first.place));
   std::vector<std::int64_t> ids;
   std::vector<double> coordinates;  // grows with what is read: the stated number may be wrong
-  for_first_frame(dump, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
+  frame.for_blocks({"id", "x", "y", "z"}, [&](const AtomBlock& block) {
     const auto id = block.integer("id");
     const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
     ids.insert(ids.end(), id.begin(), id.end());
@@ -97,7 +119,7 @@ Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) 
   const Eigen::Map<const Eigen::Matrix3Xd> positions(coordinates.data(), 3,
                                                      static_cast<Eigen::Index>(ids.size()));
   try {
-    const Clusters clusters = find_clusters(positions);
+    const Clusters clusters = find_clusters(positions, wrapping_box(first));
     return {"id", cluster_runs(clusters, ids, ids.size() / 100 + 1),
             fmt::format("clusters of atoms within {:.4g} of each other in the first frame",
                         clusters.link_distance)};
@@ -106,13 +128,13 @@ Bodies by_clusters(const std::filesystem::path& dump, const FrameHeader& first) 
   }
 }
 
-Bodies by_default(const std::filesystem::path& dump, const FrameHeader& first) {
+Bodies by_default(const FirstFrame& frame) {
   for (const char* column : {"type", "mol"}) {
-    if (!first.has_column(column)) continue;
-    const auto values = distinct(dump, column);
+    if (!frame.header.has_column(column)) continue;
+    const auto values = distinct(frame, column);
     if (values.size() == 2) return one_a_value(column, values);
   }
-  return by_clusters(dump, first);
+  return by_clusters(frame);
 }
 
 }  // namespace
@@ -145,12 +167,13 @@ void check_bodies_rule(const std::string& rule) {
 }
 
 Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
-                   const std::string& rule) {
-  if (rule.empty()) return by_default(dump, first);
+                   const std::string& rule, const std::optional<Selection>& selection) {
+  const FirstFrame frame{dump, first, selection};
+  if (rule.empty()) return by_default(frame);
   check_bodies_rule(rule);
-  if (rule == "type" || rule == "mol") return by_values(dump, first, rule);
+  if (rule == "type" || rule == "mol") return by_values(frame, rule);
   if (rule.starts_with("id:")) return by_id_range(first, rule);
-  return by_clusters(dump, first);
+  return by_clusters(frame);
 }
 
 }  // namespace mdana

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "readers/block.hpp"
 #include "readers/columns.hpp"
 #include "readers/frame.hpp"
+#include "readers/selection.hpp"
 
 namespace mdana {
 
@@ -49,8 +51,8 @@ void check_bodies_rule(const std::string& rule);
 /// Bodies of a trajectory by a rule: `type`, `mol` (each value one body, ascending), `id:1-N` (the
 /// second body is all other ids), `clusters` (connected atoms of the first frame, larger than 1 %
 /// of the atoms, by lowest id), or empty: type if there are exactly two types, else mol, else
-/// clusters. Reads the first frame. Throws InputError if the rule does not fit the dump.
+/// clusters. Reads the first frame, of which only selected atoms count. Throws InputError if the rule does not fit the dump.
 Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
-                   const std::string& rule);
+                   const std::string& rule, const std::optional<Selection>& selection = {});
 
 }  // namespace mdana

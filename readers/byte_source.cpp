@@ -17,8 +17,10 @@ class PlainFile final : public ByteSource {
   std::size_t read(std::span<char> into) override { return file_->read(into); }
   std::optional<std::string_view> mapped() override { return file_->mapped(); }
   void passed(std::string_view bytes) override { file_->passed(bytes); }
+  double share() const override { return file_->share(); }
   void mark() override { marked_ = file_->position(); }
   void reset() override { file_->seek(marked_); }
+  void assume_hash(const std::string& hash) override { file_->assume_hash(hash); }
   InputRecord record() override { return file_->record(); }
 
  private:

@@ -24,6 +24,9 @@ class ByteSource {
   virtual std::optional<std::string_view> mapped() { return std::nullopt; }
   virtual void passed(std::string_view) {}
 
+  /// How much of the file lies behind, 0 to 1.
+  virtual double share() const = 0;
+
   virtual void mark() = 0;   ///< remembers this place
   virtual void reset() = 0;  ///< goes back to it
 
@@ -31,6 +34,9 @@ class ByteSource {
   virtual std::string damage() const { return {}; }
 
   virtual InputRecord record() = 0;
+
+  /// The hash of the whole file is known: `record` need not read what was passed over.
+  virtual void assume_hash(const std::string&) {}
 };
 
 /// Opens a file by its first bytes: gzip (any number of members), zstd (any

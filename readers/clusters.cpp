@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
@@ -102,21 +103,56 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
+/// Points, and behind them the images, beyond the upper periodic faces, of those near the lower ones.
+struct WithImages {
+  std::vector<double> coordinates;
+  std::vector<std::size_t> point;  ///< that each stands for
+
+  WithImages(const Eigen::Matrix3Xd& points, const Box& box, double reach)
+      : coordinates(points.data(), points.data() + points.size()),
+        point(static_cast<std::size_t>(points.cols())) {
+    std::iota(point.begin(), point.end(), std::size_t{0});
+    for (int k = 0; k < 3; ++k)
+      if (box.periodic[static_cast<std::size_t>(k)]) add_images(box, k, reach);
+  }
+
+  Eigen::Map<const Eigen::Matrix3Xd> positions() const {
+    return {coordinates.data(), 3, static_cast<Eigen::Index>(point.size())};
+  }
+
+ private:
+  void add_images(const Box& box, int k, double reach) {
+    const Eigen::Vector3d across = box.edges.inverse().row(k);  // scaled coordinate a length
+    const std::size_t count = point.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d p(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+      if (across.dot(p - box.origin) > reach * across.norm()) continue;
+      const Eigen::Vector3d image = p + box.edges.col(k);
+      coordinates.insert(coordinates.end(), image.begin(), image.end());
+      point.push_back(point[i]);
+    }
+  }
+};
+
 }  // namespace
 
-Clusters find_clusters(const Eigen::Matrix3Xd& points) {
+Clusters find_clusters(const Eigen::Matrix3Xd& points, const Box& box) {
   if (!points.allFinite()) throw InputError("clusters: a position is not finite");
   if (points.cols() < 2 || extent(points) == 0)
     throw InputError("clusters: fewer than two atoms at different places");
   Clusters clusters;
   clusters.link_distance = 1.5 * nearest_neighbour_distance(points);
   const double limit = clusters.link_distance * clusters.link_distance;
-  const CellList cells(points, clusters.link_distance);
+  const WithImages all(points, box, clusters.link_distance);
+  const Eigen::Matrix3Xd positions = all.positions();
+  const CellList cells(positions, clusters.link_distance);
   const auto n = static_cast<std::size_t>(points.cols());
   DisjointSets sets(n);
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < all.point.size(); ++i)
     cells.for_neighbours(static_cast<Eigen::Index>(i), [&](Eigen::Index j, double d2) {
-      if (d2 <= limit) sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+      if (d2 <= limit)
+        sets.join(static_cast<std::uint32_t>(all.point[i]),
+                  static_cast<std::uint32_t>(all.point[static_cast<std::size_t>(j)]));
     });
 
   std::map<std::uint32_t, std::uint32_t> number_of_root;

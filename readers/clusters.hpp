@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "readers/bodies.hpp"
+#include "readers/box.hpp"
 
 namespace mdana {
 
@@ -20,9 +21,10 @@ struct Clusters {
 
 /// Connects points nearer than 1.5 times the median distance to the nearest neighbour (in fcc and
 /// bcc crystals that reaches beyond the second shell, and not across a gap of two layers). Works at
-/// any length scale and density contrast. No periodic images. Throws InputError at positions that
+/// any length scale and density contrast. Across periodic faces of the box the nearest images count;
+/// positions must then be wrapped into it. Throws InputError at positions that
 /// are not finite, or all the same.
-Clusters find_clusters(const Eigen::Matrix3Xd& points);
+Clusters find_clusters(const Eigen::Matrix3Xd& points, const Box& box = {});
 
 /// Components of at least `smallest` points as bodies 1, 2, ... ordered by lowest id; the ids of a
 /// body as sorted runs. Points of smaller components belong to no body.

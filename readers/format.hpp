@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,13 @@ class FrameSource {
   /// The next `most` atoms of the frame (fewer in its last chunk), unconverted. False after the
   /// last. Throws TruncatedInput.
   virtual bool cut(Chunk& chunk, std::size_t most = AtomBlock::capacity) = 0;
+
+  /// Makes `next` give frame `index`, not before the one it would give, without reading what lies
+  /// between, if the format can; else does nothing. Frames passed over are not validated.
+  virtual void seek(std::uint64_t) {}
+
+  /// How much of the input lies behind, 0 to 1; nothing if that is not known.
+  virtual std::optional<double> share() const { return std::nullopt; }
 
   /// Back to the first atom of the current frame.
   virtual void restart_frame() = 0;

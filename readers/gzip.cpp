@@ -37,6 +37,7 @@ class Gzip final : public ByteSource {
   }
 
   std::string damage() const override { return damage_; }
+  double share() const override { return file_->share(); }
   InputRecord record() override { return file_->record(); }
 
  private:

@@ -29,9 +29,8 @@ Newlines find_newlines(std::string_view text, std::size_t wanted) {
 }  // namespace
 
 LineReader::LineReader(std::unique_ptr<ByteSource> bytes) : bytes_(std::move(bytes)) {
-  if (const auto mapped = bytes_->mapped()) {
-    mapped_ = true;
-    rest_ = *mapped;
+  if ((mapped_ = bytes_->mapped())) {
+    rest_ = *mapped_;
   } else {
     buffer_.resize(buffer_size);
     rest_ = {buffer_.data(), 0};
@@ -88,25 +87,33 @@ std::size_t LineReader::pass(std::size_t count, Sink&& sink) {
 
 LineReader::Lines LineReader::take(std::size_t count, std::vector<char>& storage,
                                    std::size_t padding) {
-  if (mapped_) {  // one piece, since nothing is refilled
-    std::string_view text;
-    const std::size_t got = pass(count, [&](std::string_view lines) { text = lines; });
-    if (rest_.size() >= padding) return {got, text};
-    storage.assign(text.begin(), text.end());
-    storage.resize(text.size() + padding);
-    return {got, {storage.data(), text.size()}};
-  }
-  storage.clear();
+  storage.assign(lead, ' ');
+  const bool led = mapped_ && *offset() >= lead;
+  std::string_view text;  // of a mapped file it is one piece, since nothing is refilled
   const std::size_t got = pass(count, [&](std::string_view lines) {
-    storage.insert(storage.end(), lines.begin(), lines.end());
+    text = lines;
+    if (!led || rest_.size() - lines.size() < padding)
+      storage.insert(storage.end(), lines.begin(), lines.end());
   });
-  const std::size_t size = storage.size();
-  storage.resize(size + padding);
-  return {got, {storage.data(), size}};
+  if (storage.size() == lead) return {got, text};
+  const std::size_t size = storage.size() - lead;
+  storage.resize(storage.size() + padding);
+  return {got, {storage.data() + lead, size}};
 }
 
 std::size_t LineReader::skip(std::size_t count) {
   return pass(count, [](std::string_view) {});
+}
+
+std::optional<std::uint64_t> LineReader::offset() const {
+  if (!mapped_) return std::nullopt;
+  return mapped_->size() - rest_.size();
+}
+
+void LineReader::jump(std::uint64_t offset, std::uint64_t lines_before) {
+  rest_ = mapped_->substr(std::min<std::uint64_t>(offset, mapped_->size()));
+  number_ = lines_before;
+  unfinished_ = false;
 }
 
 void LineReader::mark() {

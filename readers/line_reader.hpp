@@ -21,7 +21,8 @@ class LineReader {
   std::optional<std::string_view> line();
 
   /// Up to `count` whole lines, ends included: where they are mapped, or copied to `storage`. At
-  /// least `padding` readable bytes follow them.
+  /// least `lead` readable bytes precede them, and `padding` follow.
+  static constexpr std::size_t lead = 32;
   struct Lines {
     std::size_t count;
     std::string_view text;
@@ -31,6 +32,10 @@ class LineReader {
   /// Passes over up to `count` whole lines. Returns how many.
   std::size_t skip(std::size_t count);
 
+  /// Bytes before the next line, and a jump to a line that begins there; of mapped files only.
+  std::optional<std::uint64_t> offset() const;
+  void jump(std::uint64_t offset, std::uint64_t lines_before);
+
   std::uint64_t number() const { return number_; }  ///< of the line last delivered, from 1
   bool unfinished() const { return unfinished_; }   ///< the text ended within a line
 
@@ -38,6 +43,7 @@ class LineReader {
   void reset();
 
   ByteSource& bytes() { return *bytes_; }
+  const ByteSource& bytes() const { return *bytes_; }
 
  private:
   bool refill();
@@ -46,7 +52,7 @@ class LineReader {
   std::size_t pass(std::size_t count, Sink&& sink);
 
   std::unique_ptr<ByteSource> bytes_;
-  bool mapped_ = false;
+  std::optional<std::string_view> mapped_;
   std::vector<char> buffer_;  ///< unused if the file is mapped
   std::string_view rest_;     ///< not yet delivered: in the buffer, or all that is left of the file
   std::uint64_t number_ = 0;

@@ -83,6 +83,8 @@ class PiecesSource final : public FrameSource {
     return true;
   }
 
+  std::optional<double> share() const override { return pieces_.front()->share(); }
+
   void restart_frame() override {
     for (const auto& piece : pieces_) piece->restart_frame();
     at_first_atom();

@@ -50,7 +50,16 @@ struct RawFile::Hash {
 };
 
 RawFile::RawFile(const std::filesystem::path& path)
-    : path_(path), descriptor_(open_for_reading(path)), hash_(std::make_unique<Hash>()) {}
+    : path_(path), descriptor_(open_for_reading(path)), hash_(std::make_unique<Hash>()) {
+  std::error_code unknown;
+  size_ = std::filesystem::file_size(path, unknown);
+  if (unknown) size_ = 0;
+}
+
+double RawFile::share() const {
+  const auto behind = static_cast<double>(std::max(passed_, position_));
+  return size_ == 0 ? 1 : std::min(1.0, behind / static_cast<double>(size_));
+}
 
 RawFile::~RawFile() {
   if (!map_.empty()) ::munmap(const_cast<char*>(map_.data()), map_.size());
@@ -72,8 +81,9 @@ std::optional<std::string_view> RawFile::mapped() {
 void RawFile::passed(std::string_view bytes) {
   const auto first = static_cast<std::uint64_t>(bytes.data() - map_.data());
   const std::uint64_t known = hash_->bytes - std::min(hash_->bytes, first);
-  if (known < bytes.size()) hash_->add(bytes.substr(known));
-  release(first + bytes.size());
+  if (first <= hash_->bytes && known < bytes.size()) hash_->add(bytes.substr(known));
+  passed_ = first + bytes.size();
+  release(passed_);
 }
 
 /// Gives back the memory of mapped pages well behind `position`; they are read again if needed.
@@ -111,6 +121,7 @@ std::size_t RawFile::read(std::span<char> into) {
 }
 
 InputRecord RawFile::record() {
+  if (!assumed_hash_.empty() && hash_->bytes < size_) return {path_.string(), size_, assumed_hash_};
   std::vector<char> rest(1 << 20);
   position_ = hash_->bytes;
   while (read(rest) == rest.size()) continue;

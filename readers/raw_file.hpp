@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "readers/input_record.hpp"
@@ -26,14 +27,19 @@ class RawFile {
 
   /// The whole file as mapped memory; nothing if it is empty or cannot be mapped.
   std::optional<std::string_view> mapped();
-  /// Counts mapped bytes as read. They must come in their order; what was passed before is ignored.
+  /// Counts mapped bytes as read. Those behind a gap are hashed when `record` reads the gap.
   void passed(std::string_view bytes);
+
+  /// How much of the file was read or passed, 0 to 1.
+  double share() const;
 
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 
-  /// Path, size and hash of the whole file; reads what has not been read yet.
+  /// Path, size and hash of the whole file; reads what has not been read yet, unless a hash that is
+  /// known from before may be assumed.
   InputRecord record();
+  void assume_hash(std::string hash) { assumed_hash_ = std::move(hash); }
 
  private:
   void release(std::uint64_t position);
@@ -43,7 +49,10 @@ class RawFile {
   int descriptor_ = -1;
   std::uint64_t position_ = 0;
   std::unique_ptr<Hash> hash_;
+  std::uint64_t size_ = 0;  ///< when it was opened
+  std::string assumed_hash_;
   std::string_view map_;
+  std::uint64_t passed_ = 0;  ///< mapped bytes
   std::uint64_t released_ = 0;  ///< mapped bytes before it are given back
 };
 

@@ -35,6 +35,11 @@ class SequenceSource final : public FrameSource {
     return true;
   }
 
+  std::optional<double> share() const override {
+    const double within = current_ ? current_->share().value_or(0) : 1;
+    return (static_cast<double>(opened_) - 1 + within) / static_cast<double>(files_.size());
+  }
+
   void restart_frame() override { current_->restart_frame(); }
 
   /// Of all files, also those behind one that is damaged.

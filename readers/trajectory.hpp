@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "readers/format.hpp"
+#include "readers/selection.hpp"
 
 namespace mdana {
 
@@ -21,9 +23,12 @@ std::string_view format_of(const std::filesystem::path& path);
 /// The header of the first frame. Throws InputError if there is none.
 FrameHeader first_header(const std::filesystem::path& path);
 
-/// Calls `use(block)` for each block of the first frame in order; throws as reading does.
+/// Calls `use(block)` for each block of the first frame in order, of selected atoms if there is a
+/// selection; throws as reading does.
 template <class Use>
-FrameHeader for_first_frame(const std::filesystem::path& path, const ColumnSet& wanted, Use&& use) {
+FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted, Use&& use,
+                            const std::optional<Selection>& selection = {}) {
+  if (selection) wanted.add(selection->columns());
   const auto source = open_trajectory(path, wanted);
   FrameHeader header;
   if (!source->next(header)) return header;
@@ -31,6 +36,7 @@ FrameHeader for_first_frame(const std::filesystem::path& path, const ColumnSet& 
   AtomBlock block;
   while (source->cut(chunk)) {
     convert(chunk, block);
+    if (selection) selection->apply(block);
     use(static_cast<const AtomBlock&>(block));
   }
   return header;

@@ -140,6 +140,7 @@ class Zstd final : public ByteSource {
   std::string damage() const override {
     return reading_.damage().empty() ? waiting_.damage() : reading_.damage();
   }
+  double share() const override { return file_->share(); }
   InputRecord record() override { return file_->record(); }
 
  private:

@@ -30,7 +30,7 @@ struct Timed {
 
 Timed timed_run(const Run& run, const Radii& radii, bool hertz, SweepOptions options,
                 std::uint64_t stride) {
-  options.stride = stride;
+  options.choice.stride = stride;
   std::array<double, repetitions> seconds;
   Timed timed;
   for (double& s : seconds) {

@@ -104,9 +104,14 @@ void Document::sweep(const SweepResult& swept, std::string_view format) {
   root_["frames"] = swept.steps.size();
   root_["seconds"] = swept.seconds;
   line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));
-  if (swept.positions_may_jump)
-    warn("positions are wrapped at periodic faces and there are no image flags: a body that crosses "
-         "a face gives wrong numbers; dump xu yu zu, or ix iy iz besides");
+  if (swept.unwrapped)
+    warn("positions are wrapped at periodic faces and there are no image flags: bodies are put "
+         "together and followed by continuity, which holds while they are smaller than half the box "
+         "and move less than that between frames; dump xu yu zu, or ix iy iz besides, to be sure");
+  if (swept.uncertain_images > 0)
+    warn(fmt::format("up to {} atoms of a frame are so far from their body (0.4 of the box or more) "
+                     "that their periodic image is uncertain",
+                     swept.uncertain_images));
   if (!swept.damage.empty()) {
     damaged_ = true;
     warn("damaged input: " + swept.damage +

@@ -12,7 +12,8 @@ namespace mdana {
 
 MeasuredMotion measure_motion(const Run& run, MotionParts parts,
                               std::vector<std::unique_ptr<Analysis>> others,
-                              const SweepOptions& options) {
+                              SweepOptions options) {
+  options.selection = run.selection;
   std::vector<std::unique_ptr<Analysis>> analyses;
   analyses.push_back(make_motion(parts));
   for (auto& other : others) analyses.push_back(std::move(other));

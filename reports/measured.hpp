@@ -21,7 +21,7 @@ struct MeasuredMotion {
 /// One pass over the dump. Throws InputError also if there are fewer than two frames.
 MeasuredMotion measure_motion(const Run& run, MotionParts parts,
                               std::vector<std::unique_ptr<Analysis>> others,
-                              const SweepOptions& options);
+                              SweepOptions options);
 
 /// Force curve of a measured motion; the error of the radii is part of that of delta_max. Throws
 /// InputError if the bodies never touch.

@@ -17,6 +17,7 @@ Radii gyration_radii(const Run& run) {
   analyses.push_back(make_gyration());
   SweepOptions options;
   options.frames = 1;
+  options.selection = run.selection;
   const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
   return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
           "sqrt(5/3) r_g of the first frame", 0};
@@ -82,13 +83,14 @@ Run prepare_run(const RunOptions& options) {
   std::vector<std::string> warnings;
   Masses masses = find_masses(options, first, scene, units.units, warnings);
   const bool own_rule = !options.bodies.empty();
-  Bodies bodies = find_bodies(options.dump, first, own_rule ? options.bodies : scene.bodies);
+  Bodies bodies = find_bodies(options.dump, first, own_rule ? options.bodies : scene.bodies,
+                              options.selection);
   const auto timestep = options.timestep ? options.timestep : scene.timestep;
   const std::string timestep_source =
       options.timestep ? "option" : first.time ? "dump" : scene.timestep ? "scene" : "unknown";
   return {options.dump, format_of(options.dump), std::move(first), std::move(scene), units.units,
           units.source, timestep, timestep_source, std::move(masses), std::move(bodies),
-          std::move(warnings)};
+          options.selection, std::move(warnings)};
 }
 
 void require_two_bodies(const Run& run) {

@@ -27,6 +27,7 @@ struct RunOptions {
   std::string bodies;                              ///< rule, see find_bodies; empty: not given
   std::optional<std::array<double, 2>> radius;     ///< of body 1, 2 [length]
   std::optional<double> timestep;                  ///< [time]
+  std::optional<Selection> selection;              ///< of atoms
 };
 
 /// A dump with everything that is needed to analyse it, and where each of it came from.
@@ -41,6 +42,7 @@ struct Run {
   std::string timestep_source;
   Masses masses;
   Bodies bodies;
+  std::optional<Selection> selection;
   std::vector<std::string> warnings;
 };
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "readers/format.hpp"
+#include "readers/frame_index.hpp"
+#include "readers/input_error.hpp"
 #include "readers/lammps_binary/atoms.hpp"
 #include "readers/lammps_binary/byte_order.hpp"
 #include "readers/lammps_binary/header.hpp"
@@ -23,16 +25,20 @@ class LammpsBinary final : public FrameSource {
  public:
   LammpsBinary(std::unique_ptr<ByteSource> bytes, const std::filesystem::path& path,
                const ColumnSet& wanted)
-      : file_(std::move(bytes), path.string()), wanted_(wanted) {}
+      : file_(std::move(bytes), path.string()), wanted_(wanted), indexing_(path) {}
 
   bool next(FrameHeader& header) override {
     skip_atoms();
+    const auto offset = file_.offset();
     const auto found = lammps_binary::read_header(file_, frames_);
     if (!found) {
       file_.check_damage();
+      if (offset && indexing_.wanted(frames_, *offset))
+        indexing_.write(file_.bytes().record().hash);
       return false;
     }
     header_ = *found;
+    if (offset) indexing_.met(frames_, {*offset, 0, header_.frame.step, header_.frame.atoms});
     layout_ = std::make_shared<AtomLayout>(header_, wanted_);
     ++frames_;
     file_.mark();
@@ -55,6 +61,24 @@ class LammpsBinary final : public FrameSource {
     return true;
   }
 
+  void seek(std::uint64_t index) override {
+    const auto found = index > frames_ && file_.offset() ? indexing_.find(index) : std::nullopt;
+    if (!found || found->number <= frames_) return;
+    const std::uint64_t offset = *file_.offset();
+    file_.jump(found->frame.offset);
+    if (is_there(*found)) {
+      frames_ = found->number;
+      atoms_left_ = 0;
+      ranks_left_ = 0;
+      file_.bytes().assume_hash(found->hash);
+    } else {
+      indexing_.discard();
+      file_.jump(offset);
+    }
+  }
+
+  std::optional<double> share() const override { return file_.bytes().share(); }
+
   void restart_frame() override {
     file_.reset();
     at_first_atom();
@@ -63,6 +87,19 @@ class LammpsBinary final : public FrameSource {
   std::vector<InputRecord> records() override { return {file_.bytes().record()}; }
 
  private:
+  /// Whether a frame begins here, and is the one that the index says; stays here.
+  bool is_there(const FrameIndexing::Found& found) {
+    bool same = false;
+    try {
+      const auto header = lammps_binary::read_header(file_, found.number);
+      same = header && header->frame.step == found.frame.step &&
+             header->frame.atoms == found.frame.atoms;
+    } catch (const InputError&) {
+    }
+    file_.jump(found.frame.offset);
+    return same;
+  }
+
   std::size_t bytes_of_atom() const { return header_.frame.columns.size() * sizeof(double); }
 
   void at_first_atom() {
@@ -161,7 +198,8 @@ class LammpsBinary final : public FrameSource {
   ColumnSet wanted_;
   Header header_;
   std::shared_ptr<const AtomLayout> layout_;
-  std::uint64_t frames_ = 0;
+  FrameIndexing indexing_;
+  std::uint64_t frames_ = 0;  ///< begun
   std::uint64_t atoms_left_ = 0;
   std::uint64_t atoms_left_in_rank_ = 0;
   std::int32_t ranks_left_ = 0;

@@ -16,9 +16,8 @@ constexpr std::size_t piece = std::size_t{1} << 18;  ///< of a file that is not 
 
 Stretches::Stretches(std::unique_ptr<ByteSource> bytes, std::string path)
     : bytes_(std::move(bytes)), path_(std::move(path)) {
-  if (const auto mapped = bytes_->mapped()) {
-    mapped_ = true;
-    rest_ = *mapped;
+  if ((mapped_ = bytes_->mapped())) {
+    rest_ = *mapped_;
   }
 }
 
@@ -70,6 +69,15 @@ std::uint64_t Stretches::skip(std::uint64_t count) {
     if (got < wanted) break;
   }
   return skipped;
+}
+
+std::optional<std::uint64_t> Stretches::offset() const {
+  return mapped_ ? std::optional(position_) : std::nullopt;
+}
+
+void Stretches::jump(std::uint64_t offset) {
+  position_ = std::min<std::uint64_t>(offset, mapped_->size());
+  rest_ = mapped_->substr(position_);
 }
 
 void Stretches::mark() {

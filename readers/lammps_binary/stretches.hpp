@@ -32,6 +32,10 @@ class Stretches {
   /// Passes over up to `count` bytes. Returns how many.
   std::uint64_t skip(std::uint64_t count);
 
+  /// Bytes before this place, and a jump to another one; of mapped files only.
+  std::optional<std::uint64_t> offset() const;
+  void jump(std::uint64_t offset);
+
   void mark();
   void reset();
 
@@ -44,13 +48,14 @@ class Stretches {
 
   const std::string& path() const { return path_; }
   ByteSource& bytes() { return *bytes_; }
+  const ByteSource& bytes() const { return *bytes_; }
 
  private:
   std::string_view pass(std::size_t count);
 
   std::unique_ptr<ByteSource> bytes_;
   std::string path_;
-  bool mapped_ = false;
+  std::optional<std::string_view> mapped_;
   std::string_view rest_;  ///< all that is left of a mapped file
   std::uint64_t position_ = 0;
   std::string_view marked_rest_;

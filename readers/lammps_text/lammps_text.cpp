@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "readers/format.hpp"
+#include "readers/frame_index.hpp"
 #include "readers/input_error.hpp"
 #include "readers/lammps_text/atoms.hpp"
 #include "readers/lammps_text/header.hpp"
@@ -18,17 +19,22 @@ class LammpsText final : public FrameSource {
  public:
   LammpsText(std::unique_ptr<ByteSource> bytes, const std::filesystem::path& path,
              const ColumnSet& wanted)
-      : lines_(std::move(bytes)), path_(path.string()), wanted_(wanted) {}
+      : lines_(std::move(bytes)), path_(path.string()), wanted_(wanted), indexing_(path) {}
 
   bool next(FrameHeader& header) override {
     expect_lines(lines_.skip(lines_left_), lines_left_);
     lines_left_ = 0;
+    const auto offset = lines_.offset();
+    const std::uint64_t line = lines_.number();
     const auto found = lammps_text::read_header(lines_, path_, frames_);
     if (!found) {
       check_bytes();
+      if (offset && indexing_.wanted(frames_, *offset))
+        indexing_.write(lines_.bytes().record().hash);
       return false;
     }
     header_ = *found;
+    if (offset) indexing_.met(frames_, {*offset, line, header_.step, header_.atoms});
     layout_ = std::make_shared<AtomLayout>(header_, wanted_, path_);
     ++frames_;
     lines_left_ = header_.atoms;
@@ -50,6 +56,23 @@ class LammpsText final : public FrameSource {
     return true;
   }
 
+  void seek(std::uint64_t index) override {
+    const auto found = index > frames_ && lines_.offset() ? indexing_.find(index) : std::nullopt;
+    if (!found || found->number <= frames_) return;
+    const std::uint64_t offset = *lines_.offset(), line = lines_.number();
+    lines_.jump(found->frame.offset, found->frame.line);
+    if (is_there(*found)) {
+      frames_ = found->number;
+      lines_left_ = 0;
+      lines_.bytes().assume_hash(found->hash);
+    } else {
+      indexing_.discard();
+      lines_.jump(offset, line);
+    }
+  }
+
+  std::optional<double> share() const override { return lines_.bytes().share(); }
+
   void restart_frame() override {
     lines_.reset();
     lines_left_ = header_.atoms;
@@ -58,6 +81,18 @@ class LammpsText final : public FrameSource {
   std::vector<InputRecord> records() override { return {lines_.bytes().record()}; }
 
  private:
+  /// Whether a frame begins here, and is the one that the index says; stays here.
+  bool is_there(const FrameIndexing::Found& found) {
+    bool same = false;
+    try {
+      const auto header = lammps_text::read_header(lines_, path_, found.number);
+      same = header && header->step == found.frame.step && header->atoms == found.frame.atoms;
+    } catch (const InputError&) {
+    }
+    lines_.jump(found.frame.offset, found.frame.line);
+    return same;
+  }
+
   void expect_lines(std::size_t got, std::size_t wanted) const {
     if (got == wanted) return;
     check_bytes();
@@ -78,7 +113,8 @@ class LammpsText final : public FrameSource {
   ColumnSet wanted_;
   FrameHeader header_;
   std::shared_ptr<const AtomLayout> layout_;
-  std::uint64_t frames_ = 0;
+  FrameIndexing indexing_;
+  std::uint64_t frames_ = 0;  ///< begun
   std::uint64_t lines_left_ = 0;
 };
 

@@ -8,6 +8,7 @@
 
 namespace mdana::lammps_text {
 
+extern const LineKernel avx512_kernel;
 extern const LineKernel avx2_kernel;
 
 namespace {
@@ -60,7 +61,7 @@ const LineKernel portable_kernel{"portable", [] { return true; }, scan, convert<
 
 std::span<const LineKernel* const> line_kernels() {
 #if defined(__x86_64__)
-  static constexpr const LineKernel* kernels[] = {&avx2_kernel, &portable_kernel};
+  static constexpr const LineKernel* kernels[] = {&avx512_kernel, &avx2_kernel, &portable_kernel};
 #else
   static constexpr const LineKernel* kernels[] = {&portable_kernel};
 #endif

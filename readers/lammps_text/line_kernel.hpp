@@ -23,7 +23,8 @@ struct TokenBatch {
 };
 
 /// The two halves of reading numbers out of lines, written for one kind of processor. Texts must be
-/// whole lines with Chunk::padding readable bytes behind them.
+/// whole lines with Chunk::padding readable bytes behind and
+/// LineReader::lead before them.
 struct LineKernel {
   struct Scanned {
     std::size_t lines;

@@ -49,12 +49,16 @@ struct Command {
 /// All subcommands of this build.
 std::span<const Command* const> commands();
 
-/// Options that say what a dump does not: --scene --units --masses --bodies --radius --timestep.
+/// Options that say what a dump does not: --scene --units --masses --select --bodies --radius --timestep.
 void add_run_options(Options& options);
 /// Throws UsageError at a value that cannot be understood.
 RunOptions run_options(const Values& values);
 
-/// Options of every command that measures: --stride, resources, --json, -o.
+/// --frames, --stride and --strict, which every command that reads all frames has, and the choice.
+void add_frame_options(Options& options);
+FrameChoice frame_choice(const Values& values);
+
+/// Options of every command that measures: frames, resources, --json, -o.
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
 

@@ -49,7 +49,7 @@ Walk walk_frames(const std::filesystem::path& dump, const FrameHeader& first) {
       }
       look(walk, header, first);  // a frame counts when it is whole
       ++walk.frames;
-      if (progress) progress(walk.frames);
+      if (progress) progress({walk.frames, source->share()});
     }
   } catch (const InputError& error) {
     walk.damage = error.what();
@@ -149,7 +149,7 @@ void add_frames(Document& document, const FrameHeader& first, const Walk& walk,
   as_swept.damage = walk.damage;
   as_swept.seconds = walk.seconds;
   const auto positions = position_source(first.columns);
-  as_swept.positions_may_jump = positions && positions->may_jump(first.box);
+  as_swept.unwrapped = positions && positions->may_jump(first.box);
   document.sweep(as_swept, format);
   document.text("format", std::string(format));
   document.json("steps", {walk.first_step, walk.last_step});

@@ -65,6 +65,8 @@ void add_run_options(Options& options) {
        "units of the dump, by LAMMPS' names (default: from the dump or the scene)")               //
       ("masses", po::value<std::string>()->value_name("LIST"),
        "masses by atom type, as 1=39.95,2=107.87 (default: dump, scene, in lj units 1)")          //
+      ("select", po::value<std::string>()->value_name("COLUMN:RANGES"),
+       "use some atoms only, as type:1-2 or id:1-500,900")                                        //
       ("bodies", po::value<std::string>()->value_name("RULE"),
        "what tells the bodies apart: type, mol, clusters or id:FIRST-LAST (default: scene; types "
        "if there are exactly two, else mol, else clusters)")                                      //
@@ -81,6 +83,7 @@ RunOptions run_options(const Values& values) try {
   if (values.count("units")) options.units = units_option(text_of(values, "units"));
   if (values.count("masses")) options.masses = parse_masses(text_of(values, "masses"));
   if (values.count("bodies")) check_bodies_rule(options.bodies = text_of(values, "bodies"));
+  if (values.count("select")) options.selection = Selection(text_of(values, "select"));
   if (values.count("radius")) options.radius = radius_option(text_of(values, "radius"));
   if (values.count("timestep"))
     options.timestep = positive(values["timestep"].as<double>(), "timestep");
@@ -89,10 +92,33 @@ RunOptions run_options(const Values& values) try {
   throw UsageError(error.what());
 }
 
+void add_frame_options(Options& options) {
+  options.add_options()                                                                        //
+      ("frames", po::value<std::string>()->value_name("A:B[:K]"),
+       "use frames A to B - 1, counted from 0 (every K-th); A or B may be missing, as in 100:")  //
+      ("stride", po::value<long>()->default_value(1)->value_name("K"),
+       "use every K-th frame only")                                                            //
+      ("strict", po::bool_switch(),
+       "fail at damaged input, instead of using the whole frames before the damage (exit code 3)");
+}
+
+FrameChoice frame_choice(const Values& values) try {
+  const long stride = values["stride"].as<long>();
+  if (stride < 1) throw UsageError("--stride must be at least 1");
+  FrameChoice choice;
+  if (values.count("frames")) choice = parse_frame_choice(text_of(values, "frames"));
+  if (choice.stride > 1 && stride > 1)
+    throw UsageError("--stride and the stride in --frames: give one of them");
+  choice.stride *= static_cast<std::uint64_t>(stride);
+  return choice;
+} catch (const InputError& error) {
+  throw UsageError(error.what());
+}
+
 void add_resource_options(Options& options) {
   options.add_options()                                                                         //
       ("threads", po::value<long>()->default_value(0, "all")->value_name("N"),
-       "threads for the blocks of large frames; the results are the same bits with any number") //
+       "threads, for the blocks of large frames or for small frames; the results are the same bits with any number") //
       ("memory", po::value<long>()->default_value(128)->value_name("MB"),
        "memory for the atoms of a frame that are looked at twice; beyond it they are read twice");
 }
@@ -107,8 +133,7 @@ void set_resources(const Values& values, SweepOptions& sweeping) {
 }
 
 void add_output_options(Options& options, bool table) {
-  options.add_options()("stride", po::value<long>()->default_value(1)->value_name("K"),
-                        "use every K-th frame only");
+  add_frame_options(options);
   add_resource_options(options);
   options.add_options()                                                              //
       ("json", po::bool_switch(), "print one JSON document on the standard output")  //
@@ -118,8 +143,8 @@ void add_output_options(Options& options, bool table) {
 
 SweepOptions sweep_options(const Values& values) {
   SweepOptions options;
-  if (values["stride"].as<long>() < 1) throw UsageError("--stride must be at least 1");
-  options.stride = static_cast<std::uint64_t>(values["stride"].as<long>());
+  options.choice = frame_choice(values);
+  options.strict = values["strict"].as<bool>();
   set_resources(values, options);
   options.stop = &stop_signal();
   options.progress = progress_printer();

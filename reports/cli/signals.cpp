@@ -35,14 +35,16 @@ void catch_signals() {
   catch_signal(SIGTERM);
 }
 
-std::function<void(std::uint64_t)> progress_printer() {
+std::function<void(const Progress&)> progress_printer() {
   if (!::isatty(STDERR_FILENO)) return {};
-  return [last = std::chrono::steady_clock::now()](std::uint64_t frames) mutable {
+  return [last = std::chrono::steady_clock::now()](const Progress& progress) mutable {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < std::chrono::milliseconds(200)) return;
     last = now;
     progress_shown = true;
-    fmt::print(stderr, "\r{} frames read", frames);
+    const std::string share =
+        progress.share ? fmt::format(", {:.0f} % of the input", 100 * *progress.share) : "";
+    fmt::print(stderr, "\r{} frames read{} \033[K", progress.frames, share);
     std::fflush(stderr);
   };
 }

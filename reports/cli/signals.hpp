@@ -2,8 +2,9 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <functional>
+
+#include "analyses/sweep.hpp"
 
 namespace mdana::cli {
 
@@ -12,8 +13,8 @@ namespace mdana::cli {
 const std::atomic<int>& stop_signal();
 void catch_signals();
 
-/// Prints "frames read" on a terminal a few times a second; nothing if the standard error is none.
-std::function<void(std::uint64_t frames)> progress_printer();
+/// Prints frames read and the share of the input on a terminal a few times a second; nothing if the standard error is none.
+std::function<void(const Progress&)> progress_printer();
 
 /// Clears the progress line.
 void end_progress();

@@ -27,24 +27,59 @@ TEST_F(SweepOfDump, GivesARowAFrame) {
   EXPECT_EQ(result.stated_times, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
   for (const Table& table : result.tables) EXPECT_EQ(table.rows(), 5u);
   EXPECT_TRUE(result.damage.empty());
-  EXPECT_FALSE(result.positions_may_jump);
+  EXPECT_FALSE(result.unwrapped);
   EXPECT_TRUE(result.inputs.at(0).hash.starts_with("xxh3:"));
 }
 
 TEST_F(SweepOfDump, StrideTakesEveryNthFromTheFirst) {
   SweepOptions options;
-  options.stride = 3;
+  options.choice.stride = 3;
   const SweepResult some = run(whole(8), options), all = run(whole(8));
   EXPECT_EQ(some.steps, (Steps{0, 300, 600}));
   EXPECT_EQ(some.tables[0].column("x1")[2], all.tables[0].column("x1")[6]);
   EXPECT_EQ(some.inputs.at(0).hash, all.inputs.at(0).hash);
 }
 
+TEST_F(SweepOfDump, TheChoiceIsAWindow) {
+  SweepOptions options;
+  options.choice = {2, 7, 2};
+  const SweepResult some = run(whole(9), options), all = run(whole(9));
+  EXPECT_EQ(some.steps, (Steps{200, 400, 600}));
+  EXPECT_EQ(some.tables[0].column("x1")[1], all.tables[0].column("x1")[4]);
+  EXPECT_EQ(some.inputs.at(0).hash, all.inputs.at(0).hash);
+  options.choice = {9, {}, 1};
+  EXPECT_INPUT_ERROR(run(whole(9), options), "none chosen");
+}
+
+TEST_F(SweepOfDump, SelectedAtomsAreAsIfThereWereNoOthers) {
+  auto frames = made_up_collision(3, 20), other = frames;
+  for (auto& frame : other)
+    for (int k = 0; k < 10; ++k) {
+      test::MadeUpAtom atom = frame.atoms[static_cast<std::size_t>(k)];
+      atom.id += 1000;
+      frame.atoms.insert(frame.atoms.begin() + 3 * k, atom);
+    }
+  SweepOptions options;
+  options.selection = Selection("id:1-40");
+  const SweepResult plain = run(dump_text(frames)), selected = run(dump_text(other), options);
+  test::for_all_values(plain, selected, [](const ColumnSpec& column, double a, double b) {
+    EXPECT_EQ(a, b) << column.name;
+  });
+}
+
+TEST_F(SweepOfDump, StrictMakesDamageAnError) {
+  SweepOptions options;
+  options.strict = true;
+  const std::string text = whole(3);
+  EXPECT_EQ(run(text, options).steps.size(), 3u);
+  EXPECT_INPUT_ERROR(run(text.substr(0, text.size() - 20), options), "dump", "the file ends");
+}
+
 TEST_F(SweepOfDump, FramesLimitTheRows) {
   SweepOptions options;
   options.frames = 2;
   EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 100}));
-  options.stride = 2;
+  options.choice.stride = 2;
   EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 200}));
   options.frames = 100;
   EXPECT_EQ(run(whole(5), options).steps, (Steps{0, 200, 400}));
@@ -113,7 +148,7 @@ TEST_F(SweepOfDump, StopsAtASignal) {
 TEST_F(SweepOfDump, TellsItsProgress) {
   std::vector<std::uint64_t> seen;
   SweepOptions options;
-  options.progress = [&](std::uint64_t frames) { seen.push_back(frames); };
+  options.progress = [&](const Progress& progress) { seen.push_back(progress.frames); };
   run(whole(3), options);
   EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 2, 3}));
 }
@@ -121,7 +156,7 @@ TEST_F(SweepOfDump, TellsItsProgress) {
 TEST_F(SweepOfDump, KnowsThatPositionsMayJump) {
   std::string text = whole(2);
   text.replace(text.rfind("ff ff ff"), 8, "ff pp ff");
-  EXPECT_TRUE(run(text).positions_may_jump);
+  EXPECT_TRUE(run(text).unwrapped);
 }
 
 /// Motion of a made-up dump of 17 digits, the last ones moved or not.

@@ -10,6 +10,7 @@
 
 #include "readers/frame.hpp"
 #include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_reader.hpp"
 
 namespace mdana::lammps_text {
 namespace {
@@ -23,7 +24,7 @@ const std::string& text() {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> place(-30, 30), energy(-9, -4);
     std::normal_distribution<double> speed(0, 1e-3);
-    std::string lines;
+    std::string lines(LineReader::lead, ' ');
     for (std::size_t i = 0; i < atoms; ++i)
       lines += fmt::format("{} {} {:.10g} {:.10g} {:.10g} {:.10g} {:.10g} {:.10g} {:.10g} \n", i + 1,
                            1 + i % 2, place(random), place(random), place(random), speed(random),
@@ -41,7 +42,7 @@ LineShape shape(bool all) {
 
 void count_bytes(benchmark::State& state) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
-                          static_cast<std::int64_t>(text().size() - Chunk::padding));
+                          static_cast<std::int64_t>(text().size() - Chunk::padding - LineReader::lead));
 }
 
 void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all, bool convert) {
@@ -51,7 +52,7 @@ void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all, bool
   std::vector<double> reals(TokenBatch::capacity);
   std::vector<std::int64_t> integers(TokenBatch::capacity);
   for (auto _ : state) {
-    const char* at = text().data();
+    const char* at = text().data() + LineReader::lead;
     for (std::size_t done = 0; done < atoms;) {
       const auto scanned = kernel->scan(at, std::min(TokenBatch::capacity, atoms - done), wanted,
                                         batches.data());
@@ -73,8 +74,8 @@ void by_kernel(benchmark::State& state, const LineKernel* kernel, bool all, bool
 void by_from_chars(benchmark::State& state, bool all) {
   const LineShape wanted = shape(all);
   for (auto _ : state) {
-    const char* at = text().data();
-    const char* end = at + text().size() - Chunk::padding;
+    const char* at = text().data() + LineReader::lead;
+    const char* end = at + text().size() - Chunk::padding - LineReader::lead;
     while (at < end) {
       std::uint32_t column = 0;
       for (const std::uint32_t k : wanted.wanted) {

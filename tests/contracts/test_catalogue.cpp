@@ -135,6 +135,31 @@ TEST(Catalogue, ThreadsChangeNoBit) {
   }
 }
 
+// Many small frames, between them large ones; whole, and cut or broken at some place.
+TEST(Catalogue, ThreadsShareSmallFramesAndChangeNoBit) {
+  const test::TemporaryFolder folder;
+  auto frames = made_up_collision(40, 30);
+  const auto large = made_up_collision(40, AtomBlock::capacity / 2 + 9);
+  for (const std::size_t k : {7, 8, 30}) frames[k].atoms = large[k].atoms;
+  const std::string text = dump_text(frames);
+  std::string broken = text;
+  broken.replace(broken.find(" -", broken.find("\n3500\n") + 400), 2, " ?");
+  for (const std::string& content : {text, text.substr(0, text.size() - 700), broken}) {
+    const auto path = folder.write("dump", content);
+    const SweepResult plain = test::sweep_catalogue(path, test::made_up_scene());
+    EXPECT_EQ(plain.damage.empty(), content == text);
+    EXPECT_GE(plain.steps.size(), 35u);
+    for (const std::size_t threads : {2, 3, 7}) {
+      SweepOptions options;
+      options.threads = threads;
+      const SweepResult other = test::sweep_catalogue(path, test::made_up_scene(), options);
+      EXPECT_EQ(other.steps, plain.steps);
+      EXPECT_EQ(other.damage, plain.damage);
+      expect_same_bits(plain, other);
+    }
+  }
+}
+
 // Whatever the threads, the first wrong line of the file is the one that is told.
 TEST(Catalogue, ThreadsTellTheFirstWrongLine) {
   const test::TemporaryFolder folder;

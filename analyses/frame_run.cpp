@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/frame_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analyses/block_pipeline.hpp"
+#include "analyses/merge_tree.hpp"
+#include "analyses/motion.hpp"
+#include "readers/input_error.hpp"
+#include "readers/last_digit.hpp"
+
+namespace mdana {
+
+FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
+                     std::span<const std::unique_ptr<Analysis>> all,
+                     std::optional<Selection> of_atoms)
+    : bodies(of_bodies),
+      masses(of_masses),
+      analyses(all),
+      selection(std::move(of_atoms)),
+      centres(make_box_centres(of_bodies.count())) {
+  for (const auto& analysis : analyses) {
+    needs.push_back(analysis->needs());
+    wanted.add(needs.back().columns);
+    second_round = second_round || needs.back().after_motion;
+  }
+  wanted.add(bodies.columns());
+  wanted.add(masses.columns());
+  if (selection) wanted.add(selection->columns());
+}
+
+class FrameRun::Rounds {
+ public:
+  Rounds(const FramePlan& plan, std::size_t threads)
+      : plan_(plan), threads_(threads), places_(threads <= 1 ? 1 : 2 * threads) {
+    for (std::size_t k = 0; k < plan.analyses.size(); ++k)
+      (plan.needs[k].after_motion ? second_ : first_).push_back(k);
+  }
+
+  std::vector<std::vector<double>> run(const FrameHeader& header, ChunkSupply& chunks,
+                                       Unwrapping* unwrapping) {
+    begin(header, chunks, unwrapping);
+    if (unwrapping) unwrapping->begin(header.box, box_centres());
+    std::vector<std::vector<double>> rows(plan_.analyses.size());
+    round(members(first_), {header, {}}, rows);
+    if (!plan_.second_round) return rows;
+    Table motion_row(plan_.analyses.front()->columns());
+    motion_row.add_row(rows.front());
+    const auto motion = body_motion(motion_row, 0);
+    round(members(second_), {header, motion}, rows);
+    return rows;
+  }
+
+  std::uint64_t uncertain_images() const { return uncertain_; }
+
+ private:
+  /// An analysis of a round and the place of its row.
+  struct Member {
+    const Analysis* analysis;
+    std::size_t row;
+  };
+
+  /// A block under way.
+  struct Place {
+    Chunk chunk;               ///< where the supply may put one
+    const Chunk* cut = nullptr;
+    AtomBlock block;
+    std::vector<BodyIndex> body;
+    std::vector<double> mass;
+    std::size_t uncertain = 0;
+    std::vector<std::unique_ptr<Partial>> partials;  ///< of the round's members
+  };
+
+  void begin(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping) {
+    header_ = &header;
+    chunks_ = &chunks;
+    unwrapping_ = unwrapping;
+    centred_ = false;
+    rounds_left_ = 1 + (unwrapping != nullptr) + plan_.second_round;
+    rounds_done_ = 0;
+    uncertain_ = 0;
+    kept_.clear();
+    kept_bytes_ = 0;
+    keep_ = rounds_left_ > 1;
+  }
+
+  std::vector<Member> members(const std::vector<std::size_t>& of_round) const {
+    std::vector<Member> all;
+    for (const std::size_t k : of_round) all.push_back({plan_.analyses[k].get(), k});
+    return all;
+  }
+
+  std::vector<double> box_centres() {
+    std::vector<std::vector<double>> row(1);
+    round({{plan_.centres.get(), 0}}, {*header_, {}}, row);
+    centred_ = true;
+    return row.front();
+  }
+
+  /// Gives the frame's blocks to the members and closes their rows.
+  void round(const std::vector<Member>& members, const FrameContext& context,
+             std::vector<std::vector<double>>& rows) {
+    std::vector<MergeTree> trees(members.size());
+    run_blocks(members, context, trees);
+    --rounds_left_;
+    ++rounds_done_;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto whole = trees[i].finish();
+      if (!whole) throw InputError("a frame without atoms");
+      auto& row = rows[members[i].row];
+      row.resize(members[i].analysis->columns().size());
+      whole->close(row);
+    }
+  }
+
+  /// Blocks of the frame, from the file or those kept in an earlier round, through the pipeline.
+  void run_blocks(const std::vector<Member>& members, const FrameContext& context,
+                  std::vector<MergeTree>& trees) {
+    const bool kept = rounds_done_ > 0 && keep_;
+    if (rounds_done_ > 0 && !kept) chunks_->restart();
+    std::size_t next = 0;
+    BlockPipeline pipeline;
+    pipeline.threads = threads_;
+    pipeline.slots = places_.size();
+    pipeline.produce = [&](std::size_t slot) {
+      if (!kept) return (places_[slot].cut = chunks_->cut(places_[slot].chunk)) != nullptr;
+      if (next == kept_.size()) return false;
+      places_[slot].block = std::move(kept_[next++]);
+      return true;
+    };
+    pipeline.work = [&](std::size_t slot) {
+      if (!kept) convert(places_[slot]);
+      analyse(places_[slot], context, members);
+    };
+    std::size_t collected = 0;
+    pipeline.collect = [&](std::size_t slot) {
+      Place& place = places_[slot];
+      for (std::size_t i = 0; i < members.size(); ++i) trees[i].push(std::move(place.partials[i]));
+      if (plan_.stop && *plan_.stop) throw Interrupted(*plan_.stop);
+      if (kept)
+        kept_[collected++] = std::move(place.block);
+      else if (rounds_left_ > 1 && keep_)
+        keep(place);
+    };
+    mdana::run(pipeline);
+  }
+
+  void convert(Place& place) const {
+    mdana::convert(*place.cut, place.block);
+    if (plan_.last_digit_seed)
+      move_last_digits(*place.cut, *header_, plan_.wanted, *plan_.last_digit_seed, place.block);
+    if (plan_.selection) plan_.selection->apply(place.block);
+  }
+
+  void analyse(Place& place, const FrameContext& context, const std::vector<Member>& members) {
+    plan_.bodies.label(place.block, place.body);
+    plan_.masses.fill(place.block, place.mass);
+    unwrap(place);
+    const LabelledBlock labelled{place.block, place.body, place.mass};
+    place.partials.clear();
+    for (const Member& member : members) {
+      place.partials.push_back(member.analysis->begin(context));
+      place.partials.back()->add(labelled);
+    }
+  }
+
+  /// Once for blocks that are kept, and what was moved stays where it is.
+  void unwrap(Place& place) {
+    if (!unwrapping_ || !centred_) return;
+    const std::size_t uncertain = unwrapping_->apply(place.block, place.body);
+    if (rounds_done_ == 1) uncertain_ += uncertain;
+  }
+
+  void keep(Place& place) {
+    kept_bytes_ += place.block.bytes();
+    keep_ = kept_bytes_ <= plan_.memory;
+    if (keep_)
+      kept_.push_back(std::exchange(place.block, {}));
+    else
+      kept_.clear();
+  }
+
+  const FramePlan& plan_;
+  std::size_t threads_;
+  std::vector<Place> places_;
+  std::vector<std::size_t> first_, second_;  ///< analyses of the two rounds
+
+  const FrameHeader* header_ = nullptr;
+  ChunkSupply* chunks_ = nullptr;
+  Unwrapping* unwrapping_ = nullptr;
+  bool centred_ = false;  ///< the bodies' centres are settled
+  int rounds_left_ = 0, rounds_done_ = 0;
+  std::atomic<std::uint64_t> uncertain_ = 0;
+  bool keep_ = false;  ///< the whole frame is in kept_, or may still be
+  std::size_t kept_bytes_ = 0;
+  std::vector<AtomBlock> kept_;
+};
+
+FrameRun::FrameRun(const FramePlan& plan, std::size_t threads)
+    : rounds_(std::make_unique<Rounds>(plan, threads)) {}
+FrameRun::~FrameRun() = default;
+FrameRun::FrameRun(FrameRun&&) noexcept = default;
+
+std::vector<std::vector<double>> FrameRun::run(const FrameHeader& header, ChunkSupply& chunks,
+                                               Unwrapping* unwrapping) {
+  return rounds_->run(header, chunks, unwrapping);
+}
+
+std::uint64_t FrameRun::uncertain_images() const { return rounds_->uncertain_images(); }
+
+}  // namespace mdana

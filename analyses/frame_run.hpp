@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "analyses/analysis.hpp"
+#include "analyses/box_centres.hpp"
+#include "readers/masses.hpp"
+#include "readers/selection.hpp"
+
+namespace mdana {
+
+/// The sweep was stopped by a signal.
+class Interrupted : public std::runtime_error {
+ public:
+  explicit Interrupted(int number)
+      : std::runtime_error("stopped by a signal"), signal(number) {}
+  int signal;
+};
+
+/// What is done to every frame of a sweep.
+struct FramePlan {
+  FramePlan(const Bodies& of_bodies, const Masses& of_masses,
+            std::span<const std::unique_ptr<Analysis>> all, std::optional<Selection> of_atoms = {});
+
+  const Bodies& bodies;
+  const Masses& masses;
+  std::span<const std::unique_ptr<Analysis>> analyses;
+  std::optional<Selection> selection;  ///< of atoms
+  std::unique_ptr<Analysis> centres;  ///< of bodies in a periodic box, where they are needed
+  std::vector<Needs> needs;           ///< of the analyses
+  ColumnSet wanted;                   ///< by all of them
+  bool second_round = false;          ///< some analyses need the bodies' motion first
+  std::size_t memory = 0;             ///< bytes for blocks kept between two rounds
+  std::optional<std::uint64_t> last_digit_seed;
+  const std::atomic<int>* stop = nullptr;
+};
+
+/// Where the chunks of a frame come from, as often as they are needed.
+class ChunkSupply {
+ public:
+  virtual ~ChunkSupply() = default;
+  virtual const Chunk* cut(Chunk& place) = 0;  ///< the next one, there or elsewhere; null at the end
+  virtual void restart() = 0;
+};
+
+/// Gives the blocks of a frame to all analyses, in rounds: first the bodies' centres if positions
+/// are to be unwrapped, then the analyses, then those that need the bodies' motion.
+class FrameRun {
+ public:
+  /// `plan` must outlive it. The arrays are kept from frame to frame.
+  FrameRun(const FramePlan& plan, std::size_t threads);
+  ~FrameRun();
+  FrameRun(FrameRun&&) noexcept;
+
+  /// A row for each analysis. Throws InputError if the frame has no atoms, or as the analyses do;
+  /// Interrupted. `unwrapping` is null if positions are right as they are.
+  std::vector<std::vector<double>> run(const FrameHeader& header, ChunkSupply& chunks,
+                                       Unwrapping* unwrapping);
+
+  std::uint64_t uncertain_images() const;  ///< atoms of the last frame; see Unwrapping
+
+ private:
+  class Rounds;
+  std::unique_ptr<Rounds> rounds_;
+};
+
+}  // namespace mdana
