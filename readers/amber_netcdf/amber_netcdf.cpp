@@ -18,6 +18,20 @@ namespace {
 
 using namespace amber_netcdf;
 
+[[noreturn]] void ended(const std::string& path, const ClassicHeader& header, std::uint64_t whole) {
+  throw TruncatedInput(fmt::format(
+      "{}: the file ends within frame {}: {} bytes are there; the header needs {} for {} frames",
+      path, whole, header.file_bytes, header.end_of_records(header.records), header.records));
+}
+
+/// Of a file that is whole as far as its first frame; the library need not open others.
+ClassicHeader header_of_some_frame(const std::filesystem::path& path) {
+  ClassicHeader header = read_classic_header(path);
+  const bool none = header.records > 0 && header.whole_records() == 0;
+  if (none || !header.fixed_part_is_whole()) ended(path.string(), header, 0);
+  return header;
+}
+
 class AmberNetcdf final : public FrameSource {
  public:
   AmberNetcdf(std::unique_ptr<ByteSource> bytes, const std::filesystem::path& path,
@@ -25,7 +39,7 @@ class AmberNetcdf final : public FrameSource {
       : bytes_(std::move(bytes)),
         path_(path.string()),
         wanted_(wanted),
-        header_(read_classic_header(path)),
+        header_(header_of_some_frame(path)),
         file_(path),
         content_(std::make_shared<Content>(read_content(header_, file_, path_))),
         whole_frames_(count_whole_frames()) {}
@@ -36,7 +50,7 @@ class AmberNetcdf final : public FrameSource {
       expect_end();
       return false;
     }
-    if (frames_ >= whole_frames_) ended();
+    if (frames_ >= whole_frames_) ended(path_, header_, whole_frames_);
     frame_ = read_frame(*content_, file_, path_, frames_);
     check_scaled();
     layout_ = std::make_shared<AtomLayout>(frame_, content_, wanted_);
@@ -68,7 +82,6 @@ class AmberNetcdf final : public FrameSource {
 
  private:
   std::uint64_t count_whole_frames() const {
-    if (!header_.fixed_part_is_whole()) return 0;
     return content_->frames_are_records ? header_.whole_records() : content_->frames;
   }
 
@@ -78,16 +91,8 @@ class AmberNetcdf final : public FrameSource {
     file_.read(v.id, std::span(start).subspan(skip), std::span(count).subspan(skip), into);
   }
 
-  [[noreturn]] void ended() const {
-    throw TruncatedInput(fmt::format(
-        "{}: the file ends within frame {} of {}: {} bytes are there; the header needs {}", path_,
-        whole_frames_, content_->frames, header_.file_bytes,
-        header_.end_of_records(header_.records)));
-  }
-
   /// Whole frames behind those that the header counts: their writer came to no end.
   void expect_end() const {
-    if (!header_.fixed_part_is_whole()) ended();
     const std::uint64_t end = header_.end_of_records(header_.records);
     if (header_.record_bytes == 0 || header_.file_bytes - end < header_.record_bytes) return;
     throw TruncatedInput(fmt::format(

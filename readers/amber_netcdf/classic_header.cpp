@@ -75,7 +75,7 @@ class HeaderReader {
 
   void skip(std::uint64_t bytes) {
     expect(bytes);
-    stream_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+    stream_.ignore(static_cast<std::streamsize>(bytes));
     position_ += bytes;
   }
 

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(NetcdfFile::whole_file == NC_GLOBAL);
 
-constexpr std::size_t bytes_at_once = std::size_t{1} << 18;  ///< of the library's buffers
+constexpr std::size_t bytes_at_once = std::size_t{1} << 16;  ///< of the library's buffers
 constexpr std::size_t longest_text = 4096;                   ///< of an attribute
 constexpr const char* fill_value = "_FillValue";
 
