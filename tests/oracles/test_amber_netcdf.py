@@ -5,6 +5,7 @@ same numbers, which have 17 digits: mdana must write the same tables. Cut files 
 import unittest
 import warnings
 
+import lammps  # noqa: F401, leads to tests/cli
 import dumps
 import running
 
@@ -83,15 +84,11 @@ LJ = dict.fromkeys(("time", "length", "velocity", "force"), "lj")
 
 
 class AmberNetcdf(running.Case):
-    def written(self, path, *arguments):
-        """The table of numbers that mdana writes."""
-        return {name: column for name, column in self.table(*arguments[:1], path, *arguments[1:]).items()}
-
     def assert_same(self, netcdf, frames, *options):
         text = dumps.write(self.dir / "same.lammpstrj", frames)
         for source in ("forces", "velocities", "positions"):
-            found = self.written(netcdf, "force", "--source", source, *options)
-            wanted = self.written(text, "force", "--source", source)
+            found = self.table("force", netcdf, "--source", source, *options)
+            wanted = self.table("force", text, "--source", source)
             self.assertGreater(len(wanted["time"]), 40)
             self.assertEqual(found, wanted, f"{netcdf.name}, {source}")
 
@@ -145,17 +142,9 @@ class AmberNetcdf(running.Case):
         self.assertEqual(document["inputs"][0]["size"], path.stat().st_size)
 
     def test_mdanalysis(self):
-        """Bodies by numbers of atoms; the velocities are derivatives that MDAnalysis rounds to float32."""
-        path = self.dir / "mda.nc"
-        frames = dumps.spring_bounce()[0]
-        universe = MDAnalysis.Universe.empty(16, trajectory=True, velocities=True, forces=True)
-        with NCDFWriter(str(path), 16, velocities=True, forces=True, scale_velocities=20.455) as writer:
-            for frame in frames:
-                universe.atoms.positions, universe.atoms.velocities = frame["x y z"], frame["vx vy vz"]
-                universe.atoms.forces = frame["fx fy fz"]
-                universe.dimensions = [40, 30, 20, 90, 90, 60]
-                universe.trajectory.ts.time = frame.time
-                writer.write(universe.atoms)
+        """MDAnalysis writes float32, and AMBER's units: the unit system is metal, which the forces are not of."""
+        path, frames = self.dir / "mda.nc", dumps.spring_bounce()[0]
+        self.write_by_mdanalysis(path, frames)
         document = self.document("info", path)
         self.assertEqual(document["frames"], len(frames))
         self.assertEqual(document["columns"], "id x y z vx vy vz forces[1] forces[2] forces[3]".split())
@@ -163,6 +152,30 @@ class AmberNetcdf(running.Case):
         self.assertLess(np.abs(edges - [[40, 0, 0], [15, 30 * np.sqrt(0.75), 0], [0, 0, 20]]).max(), 1e-13)
         self.assertEqual(document["box"]["periodic"], [True] * 3)
         self.refused("force", path, "--units", "real", "--bodies", "id:1-8", says=["units real by the option, but metal"])
+
+    def test_numbers_of_mdanalysis(self):
+        """The same in units that need no masses. Means of 8 numbers, each rounded to 2^-24 of at most 8 (speeds: of 1,
+        twice, for the scale_factor; forces: of 2, summed over 8 atoms of both bodies)."""
+        path, frames = self.dir / "mda.nc", dumps.spring_bounce()[0]
+        self.write_by_mdanalysis(path, frames)
+        with netCDF4.Dataset(path, "a") as file:
+            for name in ("time", "cell_lengths", "coordinates", "velocities", "forces"):
+                file[name].units = "lj"
+        text = dumps.write(self.dir / "mda.lammpstrj", frames)
+        options = ("--source", "forces", "--radius", "5", "--bodies", "id:1-8")
+        found, wanted = self.table("force", path, *options), self.table("force", text, *options)
+        for name, size in {"x1": 8, "y2": 8, "vx1": 2, "vz2": 2, "X": 32, "F": 32, "time": 32}.items():
+            self.assert_close(found[name], wanted[name], 2**-24, size, name)
+
+    def write_by_mdanalysis(self, path, frames):
+        universe = MDAnalysis.Universe.empty(16, trajectory=True, velocities=True, forces=True)
+        with NCDFWriter(str(path), 16, convert_units=False, velocities=True, forces=True, scale_velocities=20.455) as writer:
+            for frame in frames:
+                universe.atoms.positions, universe.atoms.velocities = frame["x y z"], frame["vx vy vz"]
+                universe.atoms.forces = frame["fx fy fz"]
+                universe.dimensions = [40, 30, 20, 90, 90, 60]
+                universe.trajectory.ts.time = frame.time
+                writer.write(universe.atoms)
 
     def test_cut_at_many_bytes(self):
         frames = text_frames("f8")[:12]
@@ -191,16 +204,15 @@ class AmberNetcdf(running.Case):
         path, cut = self.dir / "whole.nc", self.dir / "cut.nc"
         write(netcdf_file(path, "w", version=2), frames, "f8", LJ, lammps=True)
         data = path.read_bytes()
-        whole = self.written(path, "force", "--source", "forces", "--radius", "5")
+        whole = self.table("force", path, "--source", "forces", "--radius", "5")
         cut.write_bytes(data[:len(data) * 3 // 4])
         out = self.dir / "cut.csv"
         self.mdana("force", cut, "--source", "forces", "--radius", "5", "-o", out, code=3)
         part = running.read_csv(out)
         rows = len(part["time"])
         self.assertTrue(20 < rows < len(frames))
-        for name in ("time", "step", "X", "force"):
-            if name in whole:
-                self.assertEqual(part[name], whole[name][:rows], name)
+        for name in ("step", "time", "X", "F"):
+            self.assertEqual(part[name], whole[name][:rows], name)
 
 
 if __name__ == "__main__":
