@@ -169,7 +169,8 @@ class AmberNetcdf(running.Case):
 
     def write_by_mdanalysis(self, path, frames):
         universe = MDAnalysis.Universe.empty(16, trajectory=True, velocities=True, forces=True)
-        with NCDFWriter(str(path), 16, convert_units=False, velocities=True, forces=True, scale_velocities=20.455) as writer:
+        with NCDFWriter(str(path), 16, convert_units=False, velocities=True, forces=True,
+                        scale_velocities=20.455) as writer:
             for frame in frames:
                 universe.atoms.positions, universe.atoms.velocities = frame["x y z"], frame["vx vy vz"]
                 universe.atoms.forces = frame["fx fy fz"]
