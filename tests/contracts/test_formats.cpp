@@ -14,6 +14,7 @@ namespace {
 const std::map<std::string_view, std::string_view> samples{
     {"lammps_text", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n"},
     {"lammps_binary", {"\xf6\xff\xff\xff\xff\xff\xff\xff" "DUMPCUSTOM", 18}},
+    {"amber_netcdf", {"CDF\x01\0\0\0\x01", 8}},
 };
 
 // Beginnings of files that are no dumps: a LAMMPS log, a data file, xyz, TOML, HDF5, gzip, zeros.
