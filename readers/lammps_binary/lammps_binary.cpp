@@ -33,7 +33,7 @@ class LammpsBinary final : public FrameSource {
       return false;
     }
     header_ = *found;
-    layout_ = std::make_shared<AtomLayout>(header_, wanted_);
+    layout_ = std::make_shared<AtomLayout>(header_, wanted_, file_.path());
     ++frames_;
     file_.mark();
     at_first_atom();
