@@ -10,6 +10,7 @@
 #include "analyses/block_pipeline.hpp"
 #include "analyses/merge_tree.hpp"
 #include "analyses/motion.hpp"
+#include "readers/column_choice.hpp"
 #include "readers/input_error.hpp"
 #include "readers/last_digit.hpp"
 #include "readers/positions.hpp"
@@ -118,8 +119,19 @@ class Sweep {
     if (header_.units && header_.units != units_)
       throw InputError(fmt::format("{}: the units differ from those of an earlier frame",
                                    header_.place));
+    if (result_.steps.empty()) note_columns();
     const auto positions = position_source(header_.columns);
     if (positions && positions->may_jump(header_.box)) result_.positions_may_jump = true;
+  }
+
+  void note_columns() {
+    result_.columns_read.clear();
+    result_.columns_not_read = header_.columns;
+    const ColumnChoice choice(header_, wanted_);
+    for (const auto& column : choice.columns()) {
+      result_.columns_read.push_back(column.name);
+      std::erase(result_.columns_not_read, column.name);
+    }
   }
 
   bool enough() const { return options_.frames && result_.steps.size() >= *options_.frames; }

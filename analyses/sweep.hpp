@@ -44,6 +44,8 @@ struct SweepResult {
   std::vector<std::int64_t> steps;   ///< of the frames used
   std::vector<double> stated_times;  ///< [time] as the dump states them; empty if it does not
   bool positions_may_jump = false;   ///< wrapped at periodic faces, without image flags
+  std::vector<std::string> columns_read;      ///< of the first frame used, as the dump names them
+  std::vector<std::string> columns_not_read;  ///< the others: nothing in them was looked at
   std::string damage;                ///< why reading ended before the end of the file, else empty
   std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep
   double seconds = 0;
