@@ -108,16 +108,16 @@ Fault located(FaultKind kind, std::string_view message, std::string_view dump) {
   fault.file = dump;
   const std::string_view start = dump.substr(0, dump.find_first_of("*%"));
   if (!message.starts_with(start)) return fault;
+  const std::size_t frame = message.find(" (frame ", start.size());
   for (std::size_t colon = message.find(':', start.size()); colon != std::string_view::npos;
        colon = message.find(':', colon + 1)) {
     const std::string_view rest = message.substr(colon + 1);
     if (rest.empty() || !(rest.front() == ' ' || digit(rest.front()))) continue;
     if (!takes_place(rest, fault)) continue;
-    fault.file = message.substr(0, colon);
+    fault.file = message.substr(0, std::min(colon, frame));
     return fault;
   }
-  const std::size_t end = message.find(" (frame ", start.size());
-  if (end != std::string_view::npos) fault.file = message.substr(0, end);
+  if (frame != std::string_view::npos) fault.file = message.substr(0, frame);
   return fault;
 }
 
