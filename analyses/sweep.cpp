@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analyses/block_pipeline.hpp"
+#include "readers/column_choice.hpp"
 #include "readers/input_error.hpp"
 #include "readers/positions.hpp"
 #include "readers/trajectory.hpp"
@@ -137,10 +138,20 @@ class Sweep {
   bool advance() {
     if (!sequence_.next(header_)) return false;
     share_ = source_->share();
+    if (result_.columns_read.empty()) note_columns();
     const auto positions = plan_.wanted.has("x") ? position_source(header_.columns) : std::nullopt;
     if (positions && positions->may_jump(header_.box) && !unwrapping_) unwrapping_.emplace();
     small_next_ = header_.atoms <= AtomBlock::capacity && !unwrapping_;
     return true;
+  }
+
+  void note_columns() {
+    result_.columns_not_read = header_.columns;
+    const ColumnChoice choice(header_, plan_.wanted);
+    for (const auto& column : choice.columns()) {
+      result_.columns_read.push_back(column.name);
+      std::erase(result_.columns_not_read, column.name);
+    }
   }
 
   /// A frame whose blocks are shared by the threads.

@@ -46,6 +46,8 @@ struct SweepResult {
   std::vector<double> stated_times;  ///< [time] as the dump states them; empty if it does not
   bool unwrapped = false;            ///< positions, by continuity: there are no image flags
   std::uint64_t uncertain_images = 0;  ///< most atoms of a frame whose image is uncertain
+  std::vector<std::string> columns_read;      ///< of the first frame used, as the dump names them
+  std::vector<std::string> columns_not_read;  ///< the others: nothing in them was looked at
   std::string damage;                ///< why reading ended before the end of the file, else empty
   std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep
   double seconds = 0;

@@ -39,6 +39,15 @@ class FrameSource {
   /// Back to the first atom of the current frame.
   virtual void restart_frame() = 0;
 
+  /// Said before the first frame by those who go on after faults: a frame with fewer atoms than its
+  /// header says then ends where the next header begins, if the format tells them apart; its last
+  /// chunk may be short. `cut` gives all atoms that are there before it throws.
+  virtual void expect_faults() {}
+
+  /// After `next` or `cut` has thrown: passes on to where the next frame may begin, if that can be
+  /// found. A frame whose header was wrong counts for the numbers of the following ones.
+  virtual bool recover() { return false; }
+
   virtual std::vector<InputRecord> records() = 0;  ///< one a file
 };
 

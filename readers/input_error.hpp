@@ -18,4 +18,10 @@ class TruncatedInput : public InputError {
   using InputError::InputError;
 };
 
+/// A frame has more or fewer atoms than its header says.
+class WrongAtomCount : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 }  // namespace mdana

@@ -26,6 +26,21 @@ Newlines find_newlines(std::string_view text, std::size_t wanted) {
   return found;
 }
 
+/// Of whole lines those before the first that begins with `stop`.
+Newlines before(std::string_view lines, std::string_view stop, const Newlines& all) {
+  std::size_t at = lines.find(stop);
+  while (at != std::string_view::npos && at > 0 && lines[at - 1] != '\n')
+    at = lines.find(stop, at + 1);
+  if (at == std::string_view::npos) return all;
+  const auto count = std::count(lines.begin(), lines.begin() + static_cast<long>(at), '\n');
+  return {static_cast<std::size_t>(count), at};
+}
+
+std::string_view without_return(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 }  // namespace
 
 LineReader::LineReader(std::unique_ptr<ByteSource> bytes) : bytes_(std::move(bytes)) {
@@ -55,42 +70,54 @@ void LineReader::deliver(std::size_t bytes) {
   rest_.remove_prefix(bytes);
 }
 
-std::optional<std::string_view> LineReader::line() {
+/// Where the next line ends; nothing if no whole one is left.
+std::optional<std::size_t> LineReader::next_newline() {
   std::size_t seen = 0;  // searched before
   while (true) {
     const std::size_t newline = rest_.find('\n', seen);
-    if (newline != std::string_view::npos) {
-      std::string_view text = rest_.substr(0, newline);
-      deliver(newline + 1);
-      ++number_;
-      if (text.ends_with('\r')) text.remove_suffix(1);
-      return text;
-    }
+    if (newline != std::string_view::npos) return newline;
     seen = rest_.size();
     if (!refill()) return std::nullopt;
   }
 }
 
+std::optional<std::string_view> LineReader::line() {
+  const auto newline = next_newline();
+  if (!newline) return std::nullopt;
+  const std::string_view text = without_return(rest_.substr(0, *newline));
+  deliver(*newline + 1);
+  ++number_;
+  return text;
+}
+
+std::optional<std::string_view> LineReader::peek() {
+  const auto newline = next_newline();
+  if (!newline) return std::nullopt;
+  return without_return(rest_.substr(0, *newline));
+}
+
 template <class Sink>
-std::size_t LineReader::pass(std::size_t count, Sink&& sink) {
+std::size_t LineReader::pass(std::size_t count, std::string_view stop, Sink&& sink) {
   std::size_t passed = 0;
   while (passed < count) {
-    const Newlines found = find_newlines(rest_, count - passed);
+    Newlines found = find_newlines(rest_, count - passed);
+    const std::size_t end = found.end;
+    if (!stop.empty()) found = before(rest_.substr(0, end), stop, found);
     sink(rest_.substr(0, found.end));
     deliver(found.end);
     passed += found.count;
-    if (passed < count && !refill()) break;
+    if (found.end < end || (passed < count && !refill())) break;
   }
   number_ += passed;
   return passed;
 }
 
 LineReader::Lines LineReader::take(std::size_t count, std::vector<char>& storage,
-                                   std::size_t padding) {
+                                   std::size_t padding, std::string_view stop) {
   storage.assign(lead, ' ');
   const bool led = mapped_ && *offset() >= lead;
   std::string_view text;  // of a mapped file it is one piece, since nothing is refilled
-  const std::size_t got = pass(count, [&](std::string_view lines) {
+  const std::size_t got = pass(count, stop, [&](std::string_view lines) {
     text = lines;
     if (!led || rest_.size() - lines.size() < padding)
       storage.insert(storage.end(), lines.begin(), lines.end());
@@ -101,8 +128,8 @@ LineReader::Lines LineReader::take(std::size_t count, std::vector<char>& storage
   return {got, {storage.data() + lead, size}};
 }
 
-std::size_t LineReader::skip(std::size_t count) {
-  return pass(count, [](std::string_view) {});
+std::size_t LineReader::skip(std::size_t count, std::string_view stop) {
+  return pass(count, stop, [](std::string_view) {});
 }
 
 std::optional<std::uint64_t> LineReader::offset() const {

@@ -20,17 +20,22 @@ class LineReader {
   /// the text. A last line without LF counts as cut off: see `unfinished`.
   std::optional<std::string_view> line();
 
+  /// The next line as `line` gives it, which is not passed over.
+  std::optional<std::string_view> peek();
+
   /// Up to `count` whole lines, ends included: where they are mapped, or copied to `storage`. At
-  /// least `lead` readable bytes precede them, and `padding` follow.
+  /// least `lead` readable bytes precede them, and `padding` follow. Ends before a line that begins
+  /// with `stop`, if that is not empty.
   static constexpr std::size_t lead = 32;
   struct Lines {
     std::size_t count;
     std::string_view text;
   };
-  Lines take(std::size_t count, std::vector<char>& storage, std::size_t padding = 0);
+  Lines take(std::size_t count, std::vector<char>& storage, std::size_t padding = 0,
+             std::string_view stop = {});
 
   /// Passes over up to `count` whole lines. Returns how many.
-  std::size_t skip(std::size_t count);
+  std::size_t skip(std::size_t count, std::string_view stop = {});
 
   /// Bytes before the next line, and a jump to a line that begins there; of mapped files only.
   std::optional<std::uint64_t> offset() const;
@@ -47,9 +52,10 @@ class LineReader {
 
  private:
   bool refill();
+  std::optional<std::size_t> next_newline();
   void deliver(std::size_t bytes);
   template <class Sink>
-  std::size_t pass(std::size_t count, Sink&& sink);
+  std::size_t pass(std::size_t count, std::string_view stop, Sink&& sink);
 
   std::unique_ptr<ByteSource> bytes_;
   std::optional<std::string_view> mapped_;

@@ -37,6 +37,22 @@ class JoinedLayout final : public FrameLayout {
     }
   }
 
+  void check(const Chunk& chunk, AtomBlock& block, BlockFaults& faults) const override {
+    block.reset(chunk.number, chunk.atoms);
+    AtomBlock converted;
+    std::size_t at = 0;
+    for (const Chunk& part : chunk.parts) {
+      BlockFaults of_part(faults.faults.limit());
+      part.layout->check(part, converted, of_part);
+      faults.faults.add(of_part.faults);
+      for (std::size_t i = 0; i < part.atoms; ++i)
+        if (!of_part.usable(i)) faults.spoil(at + i, chunk.atoms);
+      if (!of_part.all_unusable) block.put(converted, at);
+      faults.all_unusable = of_part.all_unusable && (at == 0 || faults.all_unusable);
+      at += part.atoms;
+    }
+  }
+
   PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override {
     PrintedPrecision all{0, 0, true};
     for (const Chunk& part : chunk.parts) {
@@ -84,6 +100,10 @@ class PiecesSource final : public FrameSource {
   }
 
   std::optional<double> share() const override { return pieces_.front()->share(); }
+
+  void expect_faults() override {
+    for (const auto& piece : pieces_) piece->expect_faults();
+  }
 
   void restart_frame() override {
     for (const auto& piece : pieces_) piece->restart_frame();

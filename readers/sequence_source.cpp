@@ -19,12 +19,14 @@ class SequenceSource final : public FrameSource {
 
   bool next(FrameHeader& header) override {
     while (current_ || open_next()) {
+      in_next_ = true;
       if (current_->next(header)) {
-        header.index = frames_++;
+        header.index += before_;
+        frames_ = header.index + 1;
+        in_next_ = false;
         return true;
       }
-      append(passed_, current_->records());
-      current_.reset();
+      pass_file();
     }
     return false;
   }
@@ -42,6 +44,24 @@ class SequenceSource final : public FrameSource {
 
   void restart_frame() override { current_->restart_frame(); }
 
+  void expect_faults() override {
+    careful_ = true;
+    if (current_) current_->expect_faults();
+  }
+
+  /// Within the file, else with the next one.
+  bool recover() override {
+    if (current_ && current_->recover()) return true;
+    if (in_next_) ++frames_;
+    if (current_) {
+      pass_file();
+    } else {
+      for (const auto& file : files_[opened_]) passed_.push_back(RawFile(file).record());
+      ++opened_;
+    }
+    return opened_ < files_.size();
+  }
+
   /// Of all files, also those behind one that is damaged.
   std::vector<InputRecord> records() override {
     std::vector<InputRecord> all = passed_;
@@ -52,10 +72,18 @@ class SequenceSource final : public FrameSource {
   }
 
  private:
+  void pass_file() {
+    append(passed_, current_->records());
+    current_.reset();
+  }
+
   bool open_next() {
     if (opened_ == files_.size()) return false;
+    in_next_ = true;
     current_ = open_(files_[opened_]);
+    if (careful_) current_->expect_faults();
     ++opened_;
+    before_ = frames_;
     return true;
   }
 
@@ -63,7 +91,10 @@ class SequenceSource final : public FrameSource {
   OpenPieces open_;
   std::size_t opened_ = 0;
   std::shared_ptr<FrameSource> current_;
-  std::uint64_t frames_ = 0;
+  std::uint64_t frames_ = 0;  ///< so far
+  std::uint64_t before_ = 0;  ///< the current file
+  bool careful_ = false;      ///< faults are expected
+  bool in_next_ = false;      ///< not within the atoms of a frame
   std::vector<InputRecord> passed_;
 };
 

@@ -101,6 +101,10 @@ void Document::sweep(const SweepResult& swept, std::string_view format) {
                                {"size", input.size},
                                {"hash", input.hash},
                                {"format", format}});
+  if (!swept.columns_read.empty()) {
+    root_["columns_read"] = swept.columns_read;
+    root_["columns_not_read"] = swept.columns_not_read;
+  }
   root_["frames"] = swept.steps.size();
   root_["seconds"] = swept.seconds;
   line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));

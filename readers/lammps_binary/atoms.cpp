@@ -43,11 +43,12 @@ std::size_t copy_whole(const Strided& from, std::span<std::int64_t> to) {
 
 }  // namespace
 
-AtomLayout::AtomLayout(const Header& header, const ColumnSet& wanted)
+AtomLayout::AtomLayout(const Header& header, const ColumnSet& wanted, std::string path)
     : choice_(header.frame, wanted),
       columns_in_file_(header.frame.columns.size()),
       swapped_(header.swapped),
-      place_(header.frame.place) {}
+      place_(header.frame.place),
+      path_(std::move(path)) {}
 
 void AtomLayout::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);

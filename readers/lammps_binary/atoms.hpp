@@ -12,11 +12,15 @@ namespace mdana::lammps_binary {
 /// Which numbers of an atom become which columns of a block.
 class AtomLayout final : public FrameLayout {
  public:
-  /// Throws InputError if the frame lacks a wanted column.
-  AtomLayout(const Header& header, const ColumnSet& wanted);
+  /// `path` is that of the file. Throws InputError if the frame lacks a wanted column.
+  AtomLayout(const Header& header, const ColumnSet& wanted, std::string path);
 
   /// Throws InputError naming frame, atom and column at a number that must be whole and is not.
   void convert(const Chunk& chunk, AtomBlock& block) const override;
+
+  AtomPlace first_place(const Chunk& chunk) const override {
+    return {path_, 0, chunk.first_line};
+  }
 
  private:
   std::size_t bytes_of_atom() const { return columns_in_file_ * sizeof(double); }
@@ -27,6 +31,7 @@ class AtomLayout final : public FrameLayout {
   std::size_t columns_in_file_;
   bool swapped_;
   std::string place_;
+  std::string path_;
 };
 
 }  // namespace mdana::lammps_binary

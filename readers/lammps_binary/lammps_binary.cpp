@@ -39,7 +39,7 @@ class LammpsBinary final : public FrameSource {
     }
     header_ = *found;
     if (offset) indexing_.met(frames_, {*offset, 0, header_.frame.step, header_.frame.atoms});
-    layout_ = std::make_shared<AtomLayout>(header_, wanted_);
+    layout_ = std::make_shared<AtomLayout>(header_, wanted_, file_.path());
     ++frames_;
     file_.mark();
     at_first_atom();

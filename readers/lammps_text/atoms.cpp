@@ -69,8 +69,10 @@ AtomLayout::AtomLayout(const FrameHeader& header, const ColumnSet& wanted, std::
 /// leaves one by one, which also finds the words for what is wrong with them.
 class AtomLayout::Conversion {
  public:
-  Conversion(const AtomLayout& layout, const Chunk& chunk, AtomBlock& block)
-      : layout_(layout), chunk_(chunk) {
+  /// With `faults` it notes what is wrong and goes on, else it throws.
+  Conversion(const AtomLayout& layout, const Chunk& chunk, AtomBlock& block,
+             BlockFaults* faults = nullptr)
+      : layout_(layout), chunk_(chunk), faults_(faults) {
     shape_.columns = static_cast<std::uint32_t>(layout.names_.size());
     for (const auto& column : layout.choice_.columns()) {
       shape_.wanted.push_back(static_cast<std::uint32_t>(column.in_file));
@@ -85,10 +87,12 @@ class AtomLayout::Conversion {
       const std::size_t lines = std::min(TokenBatch::capacity, chunk_.atoms - done);
       const LineKernel::Scanned scanned = layout_.kernel_.scan(c.at, lines, shape_, batches_.data());
       for (std::size_t k = 0; k < targets_.size(); ++k) column(c.at, k, done, scanned.lines);
+      if (!met_.empty()) tell_met();
       c.at = scanned.end;
       done += scanned.lines;
       if (scanned.lines < lines) line(c, done++);
     }
+    if (!met_.empty()) tell_met();
   }
 
  private:
@@ -123,8 +127,8 @@ class AtomLayout::Conversion {
   void line(Cursor& c, std::size_t atom) {
     const std::vector<std::string_view> tokens = take_line(c);
     if (tokens.size() != shape_.columns)
-      throw InputError(fmt::format("{}: {} columns (the header names {})", where(atom),
-                                   tokens.size(), shape_.columns));
+      return wrong(FaultKind::line, atom, {},
+                   fmt::format("{} columns (the header names {})", tokens.size(), shape_.columns));
     for (std::size_t k = 0; k < targets_.size(); ++k) token(tokens[shape_.wanted[k]], k, atom);
   }
 
@@ -135,17 +139,38 @@ class AtomLayout::Conversion {
       return;
     }
     if (t.real ? parse_number(text, t.real[atom]) : parse_number(text, t.integer[atom])) return;
-    throw InputError(fmt::format("{}: '{}' in column {} is not {}", where(atom), text.substr(0, 40),
-                                 layout_.choice_.columns()[k].name,
-                                 t.real ? "a number" : "a whole number in range"));
+    double number = 0;
+    const bool real = t.real || !parse_number(text, number);
+    const std::string& name = layout_.choice_.columns()[k].name;
+    wrong(real ? FaultKind::word : FaultKind::not_whole, atom, name,
+          fmt::format("'{}' in column {} is not {}", text.substr(0, 40), name,
+                      t.real ? "a number" : "a whole number in range"));
   }
 
-  std::string where(std::size_t atom) const {
-    return fmt::format("{}:{}", layout_.path_, chunk_.first_line + atom);
+  void wrong(FaultKind kind, std::size_t atom, const std::string& column, std::string what) {
+    const std::uint64_t line = chunk_.first_line + atom;
+    if (!faults_) throw InputError(fmt::format("{}:{}: {}", layout_.path_, line, what));
+    faults_->spoil(atom, chunk_.atoms);
+    Fault fault;
+    fault.kind = kind;
+    fault.what = std::move(what);
+    fault.file = layout_.path_;
+    fault.line = line;
+    fault.column = column;
+    met_.push_back(std::move(fault));
+  }
+
+  /// Faults of a batch, which were met column by column, in the order of lines.
+  void tell_met() {
+    std::ranges::stable_sort(met_, {}, [](const Fault& fault) { return *fault.line; });
+    for (Fault& fault : met_) faults_->faults.add(std::move(fault));
+    met_.clear();
   }
 
   const AtomLayout& layout_;
   const Chunk& chunk_;
+  BlockFaults* faults_;
+  std::vector<Fault> met_;  ///< in the lines of a batch
   LineShape shape_;
   std::vector<Target> targets_;
   std::vector<TokenBatch> batches_;
@@ -154,6 +179,12 @@ class AtomLayout::Conversion {
 void AtomLayout::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);
   Conversion(*this, chunk, block).run();
+  choice_.finish(block);
+}
+
+void AtomLayout::check(const Chunk& chunk, AtomBlock& block, BlockFaults& faults) const {
+  block.reset(chunk.number, chunk.atoms);
+  Conversion(*this, chunk, block, &faults).run();
   choice_.finish(block);
 }
 

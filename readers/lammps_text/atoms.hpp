@@ -21,6 +21,11 @@ class AtomLayout final : public FrameLayout {
   /// number, and at a line whose number of columns is not that of the header.
   void convert(const Chunk& chunk, AtomBlock& block) const override;
 
+  /// Tells every word and line that is wrong; the atoms of such lines are unusable.
+  void check(const Chunk& chunk, AtomBlock& block, BlockFaults& faults) const override;
+
+  AtomPlace first_place(const Chunk& chunk) const override { return {path_, chunk.first_line, 0}; }
+
   /// From the whole chunk. A column of whole numbers only counts as exact (no digits).
   PrintedPrecision printed_precision(const Chunk& chunk, std::string_view column) const override;
 

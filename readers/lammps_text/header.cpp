@@ -85,6 +85,7 @@ class HeaderReader {
   }
 
   void section(const std::string& item) {
+    if (item.starts_with("ITEM: ")) only_once(item);
     if (item == "ITEM: TIMESTEP") {
       header_.step = number<std::int64_t>(only_word("TIMESTEP"));
       has_step_ = true;
@@ -101,6 +102,14 @@ class HeaderReader {
       fail(fmt::format("'{}' is not a section of a LAMMPS dump header; is the number of atoms of "
                        "the frame before right?", item.substr(0, 60)));
     }
+  }
+
+  /// A header that was cut runs into the next frame's.
+  void only_once(const std::string& item) {
+    const std::string name = section_name(item);
+    if (std::ranges::find(seen_, name) != seen_.end())
+      fail(fmt::format("'{}' stands twice in one header", item.substr(0, 60)));
+    seen_.push_back(name);
   }
 
   void units(const std::string& text) {
@@ -154,12 +163,18 @@ class HeaderReader {
   LineReader& lines_;
   const std::string& path_;
   FrameHeader header_;
+  std::vector<std::string> seen_;  ///< sections
   bool has_step_ = false;
   bool has_atoms_ = false;
   bool has_box_ = false;
 };
 
 }  // namespace
+
+std::string section_name(std::string_view item) {
+  item.remove_prefix(std::min(item.size(), section_start.size()));
+  return std::string(item.substr(0, item.find_first_of(" \t")));
+}
 
 std::optional<FrameHeader> read_header(LineReader& lines, const std::string& path,
                                        std::uint64_t index) {

@@ -64,7 +64,7 @@ class Signals(Case):
         dump = self.dir / "long.gz"
         long_dump(dump)
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 75)):
-            for command in ("info", "force", "contact-radius", "fit-hertz"):
+            for command in ("info", "check", "force", "contact-radius", "fit-hertz"):
                 with self.subTest(f"{signal.Signals(number).name} {command}"):
                     done, error = self.stop(number, command, dump, "--json", "-o", self.dir / "out.json")
                     self.assertEqual(done, code, error)

@@ -11,6 +11,7 @@ RUN = ["--scene", "--units", "--masses", "--bodies", "--radius", "--timestep", "
 SWEEP = ["--stride"]
 OPTIONS = {
     "info": RUN,
+    "check": ["--limit", "--threads", "--memory", "--json", "--output", "-o", "--help"],
     "force": RUN + SWEEP + ["--source"],
     "contact-radius": RUN + SWEEP + ["--layer"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss"],
