@@ -95,23 +95,27 @@ void Document::left_out(std::string what, std::string reason) {
   root_["left_out"].push_back({{"what", std::move(what)}, {"reason", std::move(reason)}});
 }
 
+void Document::input(const InputRecord& file, std::string_view format) {
+  root_["inputs"].push_back(
+      {{"path", file.path}, {"size", file.size}, {"hash", file.hash}, {"format", format}});
+}
+
+void Document::damage(const std::string& what) {
+  damaged_ = true;
+  warn("damaged input: " + what);
+}
+
 void Document::sweep(const SweepResult& swept, std::string_view format) {
-  for (const InputRecord& input : swept.inputs)
-    root_["inputs"].push_back({{"path", input.path},
-                               {"size", input.size},
-                               {"hash", input.hash},
-                               {"format", format}});
+  for (const InputRecord& file : swept.inputs) input(file, format);
   root_["frames"] = swept.steps.size();
   root_["seconds"] = swept.seconds;
   line("frames", fmt::format("{} in {:.2f} s", swept.steps.size(), swept.seconds));
   if (swept.positions_may_jump)
     warn("positions are wrapped at periodic faces and there are no image flags: a body that crosses "
          "a face gives wrong numbers; dump xu yu zu, or ix iy iz besides");
-  if (!swept.damage.empty()) {
-    damaged_ = true;
-    warn("damaged input: " + swept.damage +
-         fmt::format("; the results are from the {} whole frames before it", swept.steps.size()));
-  }
+  if (!swept.damage.empty())
+    damage(fmt::format("{}; the results are from the {} whole frames before it", swept.damage,
+                       swept.steps.size()));
 }
 
 nlohmann::ordered_json Document::content() const {

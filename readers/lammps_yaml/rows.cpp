@@ -97,8 +97,7 @@ Chunk Rows::word_lines(const Chunk& chunk) const {
   std::size_t at = 0;
   for (std::size_t i = 0; i < chunk.atoms; ++i) {
     const std::size_t end = chunk.bytes.find('\n', at);
-    const std::string wrong =
-        copy_row(chunk.bytes.substr(at, end - at), words.storage.data() + at);
+    const std::string wrong = copy_row(chunk.bytes.substr(at, end - at), words.storage.data() + at);
     if (!wrong.empty())
       throw InputError(fmt::format("{}:{}: {}", path_, chunk.first_line + i, wrong));
     words.storage[end] = '\n';
