@@ -95,12 +95,18 @@ void Document::left_out(std::string what, std::string reason) {
   root_["left_out"].push_back({{"what", std::move(what)}, {"reason", std::move(reason)}});
 }
 
+void Document::input(const InputRecord& file, std::string_view format) {
+  root_["inputs"].push_back(
+      {{"path", file.path}, {"size", file.size}, {"hash", file.hash}, {"format", format}});
+}
+
+void Document::damage(const std::string& what) {
+  damaged_ = true;
+  warn("damaged input: " + what);
+}
+
 void Document::sweep(const SweepResult& swept, std::string_view format) {
-  for (const InputRecord& input : swept.inputs)
-    root_["inputs"].push_back({{"path", input.path},
-                               {"size", input.size},
-                               {"hash", input.hash},
-                               {"format", format}});
+  for (const InputRecord& file : swept.inputs) input(file, format);
   if (!swept.columns_read.empty()) {
     root_["columns_read"] = swept.columns_read;
     root_["columns_not_read"] = swept.columns_not_read;
@@ -116,11 +122,9 @@ void Document::sweep(const SweepResult& swept, std::string_view format) {
     warn(fmt::format("up to {} atoms of a frame are so far from their body (0.4 of the box or more) "
                      "that their periodic image is uncertain",
                      swept.uncertain_images));
-  if (!swept.damage.empty()) {
-    damaged_ = true;
-    warn("damaged input: " + swept.damage +
-         fmt::format("; the results are from the {} whole frames before it", swept.steps.size()));
-  }
+  if (!swept.damage.empty())
+    damage(fmt::format("{}; the results are from the {} whole frames before it", swept.damage,
+                       swept.steps.size()));
 }
 
 nlohmann::ordered_json Document::content() const {

@@ -36,6 +36,9 @@ class Document {
   void warn(std::string warning);
   void left_out(std::string what, std::string reason);
 
+  void input(const InputRecord& file, std::string_view format);
+  void damage(const std::string& what);  ///< a warning, and `damaged`
+
   /// Adds what a sweep says of itself: input, seconds, damage and other warnings.
   void sweep(const SweepResult& swept, std::string_view format);
 

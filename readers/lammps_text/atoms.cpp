@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "readers/atom_lines.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana::lammps_text {
@@ -210,3 +211,13 @@ PrintedPrecision AtomLayout::printed_precision(const Chunk& chunk, std::string_v
 }
 
 }  // namespace mdana::lammps_text
+
+namespace mdana {
+
+std::shared_ptr<const FrameLayout> word_line_layout(const FrameHeader& header,
+                                                    const ColumnSet& wanted,
+                                                    const std::string& path) {
+  return std::make_shared<lammps_text::AtomLayout>(header, wanted, path);
+}
+
+}  // namespace mdana

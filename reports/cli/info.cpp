@@ -6,9 +6,11 @@
 
 #include "readers/input_error.hpp"
 #include "readers/positions.hpp"
+#include "readers/thermo_log.hpp"
 #include "readers/trajectory.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
+#include "reports/thermo_summary.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -168,6 +170,8 @@ void add_frames(Document& document, const FrameHeader& first, const Walk& walk,
 int run_command(const Values& values) {
   check_output(values, false);
   const RunOptions options = run_options(values);
+  if (is_lammps_log(options.dump))
+    return emit(values, thermo_summary(read_thermo_log(options.dump)), nullptr);
   const FrameHeader first = first_header(options.dump);
   const Walk walk = walk_frames(options.dump, first);
   if (walk.frames == 0) throw InputError(walk.damage);
@@ -182,11 +186,13 @@ extern const Command info_command;
 const Command info_command{
     "info",
     "FILE",
-    "what is in a dump and what can be computed from it",
+    "what is in a dump and what can be computed from it, or what is in a log of LAMMPS",
     "Frames, atoms, columns, units, box, the bodies found, and which analyses the dump allows.\n"
-    "Reads the frames' headers only; the atoms of the first frame are read to tell the bodies apart.",
+    "Reads the frames' headers only; the atoms of the first frame are read to tell the bodies apart.\n"
+    "Of a log.lammps: runs, steps, columns of the thermodynamic output, units and time step.",
     "  mdana info sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
-    "  mdana info dump.lammpstrj --units metal --masses 1=107.87 --json",
+    "  mdana info dump.lammpstrj --units metal --masses 1=107.87 --json\n"
+    "  mdana info log.lammps",
     add_options,
     run_command};
 
