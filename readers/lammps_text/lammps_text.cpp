@@ -7,6 +7,7 @@
 #include "readers/input_error.hpp"
 #include "readers/lammps_text/atoms.hpp"
 #include "readers/lammps_text/header.hpp"
+#include "readers/lammps_text/writer.hpp"
 #include "readers/line_reader.hpp"
 
 namespace mdana {
@@ -102,7 +103,12 @@ std::unique_ptr<FrameSource> open(std::unique_ptr<ByteSource> bytes,
 }  // namespace
 
 extern const Format lammps_text_format;
-const Format lammps_text_format{"lammps_text", "LAMMPS text dump (styles atom and custom)",
-                                recognises, open};
+const Format lammps_text_format{
+    "lammps_text",
+    "LAMMPS text dump (styles atom and custom)",
+    recognises,
+    open,
+    "lammpstrj lammpstrj.gz lammpstrj.zst dump dump.gz dump.zst",
+    lammps_text::create_writer};
 
 }  // namespace mdana
