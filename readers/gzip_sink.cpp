@@ -11,8 +11,8 @@
 namespace mdana {
 namespace {
 
-/// The numbers of dumps have little that repeats: level 6 takes three times as long as level 1 for
-/// files that are a tenth smaller.
+/// The numbers of dumps have little that repeats: level 6 takes six times as long as level 1 for
+/// files that are 6 to 9 % smaller.
 constexpr int level = 1;
 
 /// One gzip member (RFC 1952).

@@ -29,13 +29,13 @@ double shortest_near(double centre, Fits&& fits) {
   return centre;
 }
 
-struct Bounds {
+struct Interval {
   double lo, hi;
 };
 
 /// The bounds that box_from_bounds makes a corner and a size of, after it has taken `below` and
 /// `above` off them.
-Bounds bounds(double corner, double size, double below, double above) {
+Interval interval(double corner, double size, double below, double above) {
   const double lo = shortest_near(corner + below, [&](double b) { return b - below == corner; });
   const double hi = shortest_near(
       corner + size + above, [&](double b) { return (b - above) - (lo - below) == size; });
@@ -53,24 +53,38 @@ std::string flags(const Box& box) {
   return text + "\n";
 }
 
+/// The bounds that the dump stated are only of use if the box is still the one that they make.
+bool still_stated(const Box& box) {
+  if (!box.stated) return false;
+  const Box again = box_from_bounds(box.stated->lo, box.stated->hi, box.edges(0, 1),
+                                    box.edges(0, 2), box.edges(1, 2));
+  return again.origin == box.origin && again.edges == box.edges;
+}
+
+Box::Bounds bounds(const Box& box) {
+  if (still_stated(box)) return *box.stated;
+  const double xy = box.edges(0, 1), xz = box.edges(0, 2), yz = box.edges(1, 2);
+  const Interval x = interval(box.origin.x(), box.edges(0, 0), std::min({0.0, xy, xz, xy + xz}),
+                              std::max({0.0, xy, xz, xy + xz}));
+  const Interval y =
+      interval(box.origin.y(), box.edges(1, 1), std::min(0.0, yz), std::max(0.0, yz));
+  const Interval z = interval(box.origin.z(), box.edges(2, 2), 0, 0);
+  return {{x.lo, y.lo, z.lo}, {x.hi, y.hi, z.hi}};
+}
+
 std::string orthogonal(const Box& box) {
+  const auto [lo, hi] = bounds(box);
   std::string text = "ITEM: BOX BOUNDS" + flags(box);
-  for (int k = 0; k < 3; ++k) {
-    const auto [lo, hi] = bounds(box.origin[k], box.edges(k, k), 0, 0);
-    text += fmt::format("{} {}\n", lo, hi);
-  }
+  for (int k = 0; k < 3; ++k) text += fmt::format("{} {}\n", lo[k], hi[k]);
   return text;
 }
 
 std::string tilted(const Box& box) {
-  const double xy = box.edges(0, 1), xz = box.edges(0, 2), yz = box.edges(1, 2);
-  const Bounds x = bounds(box.origin.x(), box.edges(0, 0), std::min({0.0, xy, xz, xy + xz}),
-                          std::max({0.0, xy, xz, xy + xz}));
-  const Bounds y =
-      bounds(box.origin.y(), box.edges(1, 1), std::min(0.0, yz), std::max(0.0, yz));
-  const Bounds z = bounds(box.origin.z(), box.edges(2, 2), 0, 0);
-  return fmt::format("ITEM: BOX BOUNDS xy xz yz{}{} {} {}\n{} {} {}\n{} {} {}\n", flags(box), x.lo,
-                     x.hi, xy, y.lo, y.hi, xz, z.lo, z.hi, yz);
+  const auto [lo, hi] = bounds(box);
+  const double tilts[] = {box.edges(0, 1), box.edges(0, 2), box.edges(1, 2)};
+  std::string text = "ITEM: BOX BOUNDS xy xz yz" + flags(box);
+  for (int k = 0; k < 3; ++k) text += fmt::format("{} {} {}\n", lo[k], hi[k], tilts[k]);
+  return text;
 }
 
 std::string general(const Box& box) {
