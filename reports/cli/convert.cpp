@@ -236,7 +236,7 @@ const Command convert_command{
     "--units, times as by --timestep, the dump or the scene. A set of files becomes one.",
     "  mdana convert dump.bin -o dump.lammpstrj.gz\n"
     "  mdana convert 'run/dump.*.%.lammpstrj' -o all.lammpstrj --sort id --stride 10\n"
-    "  mdana convert dump.lammpstrj -o extended.lammpstrj --add body,mass,ke --units lj\n"
+    "  mdana convert sample-data/adhesive-tiny/dump.lammpstrj.gz -o extended.dump --add body,mass,ke\n"
     "  mdana convert dump.lammpstrj -o small.dump --columns id,type,x,y,z --omit units,time",
     add_options,
     run_command};

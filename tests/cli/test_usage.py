@@ -13,6 +13,7 @@ OPTIONS = {
     "info": RUN,
     "force": RUN + SWEEP + ["--source"],
     "contact-radius": RUN + SWEEP + ["--layer"],
+    "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss"],
 }
 
