@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -12,6 +13,12 @@ struct Box {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< corner [length]
   Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();  ///< edge vectors as columns [length]
   std::array<bool, 3> periodic{false, false, false};
+
+  /// The bounds that the edges were rounded from, if a dump stated them: for writing them again.
+  struct Bounds {
+    Eigen::Vector3d lo, hi;
+  };
+  std::optional<Bounds> stated;
 
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
 

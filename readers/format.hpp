@@ -60,7 +60,8 @@ struct Format {
   std::unique_ptr<FrameSource> (*open)(std::unique_ptr<ByteSource> bytes,
                                        const std::filesystem::path& path, const ColumnSet& wanted);
 
-  /// Of formats that are written, too: the ending of file names ("h5"), and what opens a new file.
+  /// Of formats that are written, too: the endings of file names, as words ("dump dump.gz"), and what
+  /// opens a new file.
   std::string_view ending{};
   std::unique_ptr<FrameWriter> (*create)(const std::filesystem::path& path) = nullptr;
 };

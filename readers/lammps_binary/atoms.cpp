@@ -30,6 +30,11 @@ void copy_real(const Strided& from, std::span<double> to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i];
 }
 
+/// There are no words in binary dumps: where text would have one there is a number.
+void copy_words(const Strided& from, std::span<std::string> to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = fmt::format("{}", from[i]);
+}
+
 /// How many are whole numbers before the first that is not; all are converted if that is none.
 std::size_t copy_whole(const Strided& from, std::span<std::int64_t> to) {
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -64,7 +69,9 @@ void AtomLayout::copy(const Chunk& chunk, const ColumnChoice::Column& column, st
   const std::size_t atoms = last - first;
   const Strided from{chunk.bytes.data() + first * bytes_of_atom() + column.in_file * sizeof(double),
                      bytes_of_atom(), swapped_};
-  if (column.kind != ColumnKind::integer)  // there are no words in binary dumps
+  if (column.kind == ColumnKind::text)
+    return copy_words(from, block.make_text(column.name).subspan(first, atoms));
+  if (column.kind == ColumnKind::real)
     return copy_real(from, block.make_real(column.name).subspan(first, atoms));
   const std::size_t whole = copy_whole(from, block.make_integer(column.name).subspan(first, atoms));
   if (whole < atoms)

@@ -5,6 +5,7 @@
 #include "readers/atom_lines.hpp"
 #include "readers/format.hpp"
 #include "readers/lammps_text/header.hpp"
+#include "readers/lammps_text/writer.hpp"
 
 namespace mdana {
 namespace {
@@ -54,7 +55,12 @@ std::unique_ptr<FrameSource> open(std::unique_ptr<ByteSource> bytes,
 }  // namespace
 
 extern const Format lammps_text_format;
-const Format lammps_text_format{"lammps_text", "LAMMPS text dump (styles atom and custom)",
-                                recognises, open};
+const Format lammps_text_format{
+    "lammps_text",
+    "LAMMPS text dump (styles atom and custom)",
+    recognises,
+    open,
+    "lammpstrj lammpstrj.gz lammpstrj.zst dump dump.gz dump.zst",
+    lammps_text::create_writer};
 
 }  // namespace mdana

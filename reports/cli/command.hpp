@@ -49,7 +49,9 @@ struct Command {
 /// All subcommands of this build.
 std::span<const Command* const> commands();
 
-/// Options that say what a dump does not: --scene --units --masses --select --bodies --radius --timestep.
+/// Options that say what a dump does not: --scene --units --masses --select --bodies --timestep; for a run
+/// --radius besides.
+void add_dump_options(Options& options);
 void add_run_options(Options& options);
 /// Throws UsageError at a value that cannot be understood.
 RunOptions run_options(const Values& values);
@@ -62,6 +64,10 @@ FrameChoice frame_choice(const Values& values);
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
 
+
+void add_threads_option(Options& options);
+std::size_t threads_option(const Values& values);
+
 /// --threads and --memory, which every command that reads atoms has, and their values.
 void add_resource_options(Options& options);
 void set_resources(const Values& values, SweepOptions& sweeping);
@@ -69,6 +75,9 @@ void set_resources(const Values& values, SweepOptions& sweeping);
 /// Refuses an -o that cannot be written before work begins: an unknown suffix, CSV of a command
 /// without a table, a directory that does not exist.
 void check_output(const Values& values, bool table);
+
+/// Throws std::runtime_error if the directory of an output does not exist.
+void check_directory(const std::filesystem::path& output);
 
 /// Prints on the standard output; throws std::runtime_error if that is full or closed.
 void print(const std::string& text);

@@ -57,7 +57,7 @@ double positive(double value, const char* option) {
   return value;
 }
 
-void add_run_options(Options& options) {
+void add_dump_options(Options& options) {
   options.add_options()                                                                           //
       ("scene", po::value<std::string>()->value_name("FILE"),
        "scene file (default: scene.toml beside the dump, if it names the dump)")                  //
@@ -70,10 +70,14 @@ void add_run_options(Options& options) {
       ("bodies", po::value<std::string>()->value_name("RULE"),
        "what tells the bodies apart: type, mol, clusters or id:FIRST-LAST (default: scene; types "
        "if there are exactly two, else mol, else clusters)")                                      //
-      ("radius", po::value<std::string>()->value_name("R[,R2]"),
-       "radius of the bodies, for delta (default: scene, else sqrt(5/3) r_g)")                    //
       ("timestep", po::value<double>()->value_name("DT"),
        "time between steps (default: times in the dump, else scene)");
+}
+
+void add_run_options(Options& options) {
+  add_dump_options(options);
+  options.add_options()("radius", po::value<std::string>()->value_name("R[,R2]"),
+                        "radius of the bodies, for delta (default: scene, else sqrt(5/3) r_g)");
 }
 
 RunOptions run_options(const Values& values) try {
@@ -115,20 +119,30 @@ FrameChoice frame_choice(const Values& values) try {
   throw UsageError(error.what());
 }
 
+void add_threads_option(Options& options) {
+  options.add_options()("threads", po::value<long>()->default_value(0, "all")->value_name("N"),
+                        "threads for the blocks of large frames, or for small frames; the results are the "
+                        "same bits with any number");
+}
+
+std::size_t threads_option(const Values& values) {
+  const long threads = values["threads"].as<long>();
+  if (threads < 0) throw UsageError("--threads must be at least 1");
+  return threads > 0 ? static_cast<std::size_t>(threads)
+                     : std::max(1u, std::thread::hardware_concurrency());
+}
+
 void add_resource_options(Options& options) {
-  options.add_options()                                                                         //
-      ("threads", po::value<long>()->default_value(0, "all")->value_name("N"),
-       "threads, for the blocks of large frames or for small frames; the results are the same bits with any number") //
+  add_threads_option(options);
+  options.add_options()  //
       ("memory", po::value<long>()->default_value(128)->value_name("MB"),
        "memory for the atoms of a frame that are looked at twice; beyond it they are read twice");
 }
 
 void set_resources(const Values& values, SweepOptions& sweeping) {
-  const long threads = values["threads"].as<long>(), memory = values["memory"].as<long>();
-  if (threads < 0) throw UsageError("--threads must be at least 1");
+  const long memory = values["memory"].as<long>();
+  sweeping.threads = threads_option(values);
   if (memory < 1) throw UsageError("--memory must be at least 1");
-  sweeping.threads = threads > 0 ? static_cast<std::size_t>(threads)
-                                 : std::max(1u, std::thread::hardware_concurrency());
   sweeping.memory = static_cast<std::size_t>(memory) << 20;
 }
 
@@ -157,6 +171,10 @@ void check_output(const Values& values, bool table) {
   if (output.extension() != ".json" && !(table && output.extension() == ".csv"))
     throw UsageError(fmt::format("-o {}: the name must end in {}", output.string(),
                                  table ? ".csv or .json" : ".json"));
+  check_directory(output);
+}
+
+void check_directory(const std::filesystem::path& output) {
   const auto directory = output.parent_path();
   if (!directory.empty() && !std::filesystem::is_directory(directory))
     throw std::runtime_error(fmt::format("-o {}: No such file or directory: {}",

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace mdana {
+
+/// A file that is made whole or not at all: written under a temporary name beside its place, renamed
+/// by `commit`, removed without it. The temporary name ends as the name itself.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& place);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  const std::filesystem::path& path() const { return temporary_; }
+
+  /// A message about the file under its temporary name, told of the place.
+  std::string told(std::string what) const;
+
+  /// The file must be closed. Throws std::runtime_error naming the place and the reason.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const char* doing) const;
+
+  std::filesystem::path place_, temporary_;
+  bool renamed_ = false;
+};
+
+}  // namespace mdana
