@@ -29,6 +29,8 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
+  const std::filesystem::path& path() const { return path_; }
+
   void write(std::string_view text) {
     while (!text.empty()) {
       const ssize_t n = ::write(descriptor_, text.data(), text.size());
@@ -62,6 +64,13 @@ class TemporaryFile {
 void write_file(const std::filesystem::path& path, std::string_view text) {
   TemporaryFile file(path);
   file.write(text);
+  file.commit();
+}
+
+void write_file_by(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write) {
+  TemporaryFile file(path);
+  write(file.path());
   file.commit();
 }
 

@@ -58,6 +58,9 @@ RunOptions run_options(const Values& values);
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
 
+/// What -o writes, for help: "write the document (.json) ...".
+std::string output_help(bool table);
+
 /// --threads and --memory, which every command that reads atoms has, and their values.
 void add_resource_options(Options& options);
 void set_resources(const Values& values, SweepOptions& sweeping);
