@@ -29,7 +29,7 @@ FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
   }
   wanted.add(bodies.columns());
   wanted.add(masses.columns());
-  if (selection) wanted.add(selection->columns());
+  if (selection) wanted.add(selection->column());
 }
 
 class FrameRun::Rounds {

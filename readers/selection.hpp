@@ -16,7 +16,7 @@ class Selection {
   /// "type:1-2", "id:1-5000,7001-12000", "mol:3". Throws InputError.
   explicit Selection(const std::string& text);
 
-  ColumnSet columns() const { return {column_}; }
+  const std::string& column() const { return column_; }
   const std::string& text() const { return text_; }
 
   /// Takes the other atoms out of the block; the order stays.

@@ -28,7 +28,7 @@ FrameHeader first_header(const std::filesystem::path& path);
 template <class Use>
 FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted, Use&& use,
                             const std::optional<Selection>& selection = {}) {
-  if (selection) wanted.add(selection->columns());
+  if (selection) wanted.add(selection->column());
   const auto source = open_trajectory(path, wanted);
   FrameHeader header;
   if (!source->next(header)) return header;

@@ -9,11 +9,18 @@
 namespace mdana {
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
-  OutputFile file(path);
-  try {
-    const auto bytes = create_plain(file.path());
+  write_file_by(path, [&](const std::filesystem::path& temporary) {
+    const auto bytes = create_plain(temporary);
     bytes->write(text);
     bytes->finish();
+  });
+}
+
+void write_file_by(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write) {
+  OutputFile file(path);
+  try {
+    write(file.path());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.told(error.what()));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace mdana {
@@ -9,5 +10,9 @@ namespace mdana {
 /// Writes a file whole or not at all: under a temporary name beside it, then renamed.
 /// Throws std::runtime_error naming the path and the reason.
 void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// The same for a file that something else writes: `write` is given the temporary name.
+void write_file_by(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
 }  // namespace mdana

@@ -124,8 +124,7 @@ class Pass {
     if (!conversion_.columns.empty()) out.columns = conversion_.columns;
     for (const std::string& name : conversion_.columns) need(name);
     if (!conversion_.sort.empty()) need(conversion_.sort);
-    if (conversion_.selection)
-      for (const std::string& name : conversion_.selection->columns().names()) need(name);
+    if (conversion_.selection) need(conversion_.selection->column());
     for (const AddedColumns& added : conversion_.added) {
       check_added(added, header_);
       out.columns.insert(out.columns.end(), added.names.begin(), added.names.end());
@@ -216,7 +215,8 @@ void check_output(const Conversion& conversion) {
     throw InputError(fmt::format("{}: exists and is not a file; it is not replaced",
                                  output.string()));
   const auto set = find_file_set(conversion.dump);
-  for (const auto& pieces : set.value_or(FileSet{{conversion.dump}}))
+  const FileSet inputs = set ? *set : FileSet{std::vector<fs::path>{conversion.dump}};
+  for (const auto& pieces : inputs)
     for (const fs::path& input : pieces)
       if (std::error_code none; fs::equivalent(input, output, none))
         throw InputError(fmt::format("{}: the output is the input {}; choose another name",

@@ -42,6 +42,7 @@ class Document {
   /// Adds what a sweep says of itself: input, seconds, damage and other warnings.
   void sweep(const SweepResult& swept, std::string_view format);
 
+  Units units() const { return units_; }  ///< of the numbers
   bool damaged() const { return damaged_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 

@@ -64,7 +64,10 @@ FrameChoice frame_choice(const Values& values);
 void add_output_options(Options& options, bool table);
 SweepOptions sweep_options(const Values& values);
 
+/// What -o writes, for help: "write the document (.json) ...".
+std::string output_help(bool table);
 
+/// --threads alone.
 void add_threads_option(Options& options);
 std::size_t threads_option(const Values& values);
 

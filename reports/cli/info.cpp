@@ -121,7 +121,7 @@ void add_options(Options& options) {
   options.add_options()("json", boost::program_options::bool_switch(),
                         "print one JSON document on the standard output")(
       "output,o", boost::program_options::value<std::string>()->value_name("FILE"),
-      "write the document (.json)");
+      output_help(false).c_str());
 }
 
 /// What analyses need beyond the dump itself: told as far as it is known.

@@ -10,10 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "readers/input_error.hpp"
-#include "reports/atomic_file.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
-#include "reports/csv.hpp"
+#include "reports/sink.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -22,6 +21,25 @@ namespace po = boost::program_options;
 
 std::filesystem::path output_of(const Values& values) {
   return values.count("output") ? values["output"].as<std::string>() : std::string();
+}
+
+/// The sink that the name's ending asks for; none that needs a table if there is none.
+const Sink* sink_of(const std::filesystem::path& output, bool table) {
+  for (const Sink* sink : sinks())
+    if (output.extension() == sink->ending && (table || !sink->needs_table)) return sink;
+  return nullptr;
+}
+
+/// "a, b or c" of the sinks that can be used.
+template <class Tell>
+std::string listed(bool table, Tell&& tell) {
+  std::vector<std::string> words;
+  for (const Sink* sink : sinks())
+    if (table || !sink->needs_table) words.push_back(tell(*sink));
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? " or " : ", ") + words[k];
+  return text;
 }
 
 std::string text_of(const Values& values, const char* option) {
@@ -146,13 +164,19 @@ void set_resources(const Values& values, SweepOptions& sweeping) {
   sweeping.memory = static_cast<std::size_t>(memory) << 20;
 }
 
+std::string output_help(bool table) {
+  return "write " + listed(table, [](const Sink& sink) {
+           return fmt::format("{} ({})", sink.summary, sink.ending);
+         });
+}
+
 void add_output_options(Options& options, bool table) {
   add_frame_options(options);
   add_resource_options(options);
   options.add_options()                                                              //
       ("json", po::bool_switch(), "print one JSON document on the standard output")  //
       ("output,o", po::value<std::string>()->value_name("FILE"),
-       table ? "write the table (.csv) or the document (.json)" : "write the document (.json)");
+       output_help(table).c_str());
 }
 
 SweepOptions sweep_options(const Values& values) {
@@ -168,9 +192,9 @@ SweepOptions sweep_options(const Values& values) {
 void check_output(const Values& values, bool table) {
   const auto output = output_of(values);
   if (output.empty()) return;
-  if (output.extension() != ".json" && !(table && output.extension() == ".csv"))
+  if (!sink_of(output, table))
     throw UsageError(fmt::format("-o {}: the name must end in {}", output.string(),
-                                 table ? ".csv or .json" : ".json"));
+                                 listed(table, [](const Sink& s) { return std::string(s.ending); })));
   check_directory(output);
 }
 
@@ -188,8 +212,7 @@ void print(const std::string& text) {
 
 int emit(const Values& values, const Document& document, const Table* table) {
   const auto output = output_of(values);
-  if (output.extension() == ".json") write_file(output, document.to_json());
-  if (output.extension() == ".csv") write_file(output, to_csv(*table));
+  if (const Sink* sink = sink_of(output, table != nullptr)) sink->write(output, document, table);
   print(values["json"].as<bool>() ? document.to_json() : document.to_terminal());
   return document.damaged() ? damaged_input : done;
 }

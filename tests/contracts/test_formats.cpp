@@ -15,10 +15,11 @@ const std::map<std::string_view, std::string_view> samples{
     {"lammps_text", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n"},
     {"lammps_yaml", "---\ncreator: LAMMPS\ntimestep: 0\n"},
     {"lammps_binary", {"\xf6\xff\xff\xff\xff\xff\xff\xff" "DUMPCUSTOM", 18}},
+    {"h5md", {"\x89HDF\r\n\x1a\n", 8}},
     {"amber_netcdf", {"CDF\x01\0\0\0\x01", 8}},
 };
 
-// Beginnings of files that are no dumps: a LAMMPS log, a data file, xyz, TOML, other YAML, HDF5, gzip, zeros.
+// Beginnings of files that are no dumps: a LAMMPS log, a data file, xyz, TOML, other YAML, gzip, zeros.
 const std::string_view others[] = {"",
                                    "\n",
                                    "LAMMPS (29 Sep 2021)\n",
@@ -27,7 +28,6 @@ const std::string_view others[] = {"",
                                    "schema = 1\n",
                                    "---\nkeywords: ['Step', 'Temp', ]\ndata:\n",
                                    "---\n",
-                                   {"\x89HDF\r\n\x1a\n", 8},
                                    {"\x1f\x8b\x08\x00", 4},
                                    {"\0\0\0\0", 4},
                                    "ITEM",
