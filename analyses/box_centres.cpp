@@ -12,12 +12,18 @@
 namespace mdana {
 namespace {
 
-constexpr std::size_t columns_of_body = 7;
+constexpr std::size_t columns_of_body = 10;
 constexpr double uncertain_distance = 0.4;  // of an edge; at 0.5 both images are as near
 
-/// Sums of cos and sin of an atom's phases along the three edges.
+// Of an edge: bodies farther apart are neighbours through the face. Two whole spheres in a box reach it
+// only if the gap between them is wider than they are together.
+constexpr double across = 2.0 / 3;
+
+/// Sums over atoms of the cos and sin of their phases along the three edges, and of their scaled
+/// coordinates.
 struct PhaseSums {
   Eigen::Vector3d cosines = Eigen::Vector3d::Zero(), sines = Eigen::Vector3d::Zero();
+  Eigen::Vector3d scaled = Eigen::Vector3d::Zero();
   double atoms = 0;
 };
 
@@ -35,6 +41,7 @@ class CentresPartial final : public Partial {
       PhaseSums& sums = sums_[block.body[i] - 1u];
       sums.cosines.array() += phase.cos();
       sums.sines.array() += phase.sin();
+      sums.scaled += scaled;
       sums.atoms += 1;
     }
   }
@@ -44,6 +51,7 @@ class CentresPartial final : public Partial {
     for (std::size_t b = 0; b < sums_.size(); ++b) {
       sums_[b].cosines += other.sums_[b].cosines;
       sums_[b].sines += other.sums_[b].sines;
+      sums_[b].scaled += other.sums_[b].scaled;
       sums_[b].atoms += other.sums_[b].atoms;
     }
   }
@@ -53,6 +61,7 @@ class CentresPartial final : public Partial {
     for (const PhaseSums& sums : sums_) {
       to = std::ranges::copy(sums.cosines, to).out;
       to = std::ranges::copy(sums.sines, to).out;
+      to = std::ranges::copy(sums.scaled, to).out;
       *to++ = sums.atoms;
     }
   }
@@ -72,7 +81,8 @@ class BoxCentres final : public Analysis {
   std::vector<ColumnSpec> columns() const override {
     std::vector<ColumnSpec> columns;
     for (std::size_t b = 1; b <= bodies_; ++b)
-      for (const char* name : {"cos_a", "cos_b", "cos_c", "sin_a", "sin_b", "sin_c", "atoms"})
+      for (const char* name : {"cos_a", "cos_b", "cos_c", "sin_a", "sin_b", "sin_c", "sum_a",
+                               "sum_b", "sum_c", "atoms"})
         columns.push_back({fmt::format("{}{}", name, b), dimension::none});
     return columns;
   }
@@ -85,13 +95,18 @@ class BoxCentres final : public Analysis {
   std::size_t bodies_;
 };
 
-/// Scaled centre of a body, in [-1/2, 1/2].
-Eigen::Vector3d centre(std::span<const double> body) {
-  Eigen::Vector3d scaled;
-  for (std::size_t k = 0; k < 3; ++k)
-    scaled[static_cast<int>(k)] = std::atan2(body[3 + k], body[k]) / (2 * std::numbers::pi);
-  return scaled;
-}
+/// A body in one frame, by its columns.
+struct Found {
+  Eigen::Vector3d centre;  ///< scaled, in [-1/2, 1/2]
+  Eigen::Vector3d mean;    ///< of the scaled coordinates as they stand
+
+  explicit Found(std::span<const double> body) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      centre[static_cast<int>(k)] = std::atan2(body[3 + k], body[k]) / (2 * std::numbers::pi);
+      mean[static_cast<int>(k)] = body[6 + k] / body[9];
+    }
+  }
+};
 
 }  // namespace
 
@@ -105,12 +120,20 @@ void Unwrapping::begin(const Box& box, std::span<const double> row) {
   const bool first = centres_.empty();
   const std::size_t bodies = row.size() / columns_of_body;
   for (std::size_t b = 0; b < bodies; ++b) {
-    const Eigen::Vector3d found = centre(row.subspan(b * columns_of_body, columns_of_body));
-    if (!first)
-      centres_[b] = nearest_image(found, centres_[b]);
+    const Found found(row.subspan(b * columns_of_body, columns_of_body));
+    if (first)
+      centres_.push_back(beside_first(nearest_image(found.centre, found.mean)));
     else
-      centres_.push_back(nearest_image(found, b == 0 ? Eigen::Vector3d(0.5, 0.5, 0.5) : centres_[0]));
+      centres_[b] = nearest_image(found.centre, centres_[b]);
   }
+}
+
+Eigen::Vector3d Unwrapping::beside_first(Eigen::Vector3d scaled) const {
+  if (centres_.empty()) return scaled;
+  const Eigen::Vector3d near = nearest_image(scaled, centres_[0]);
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(scaled[k] - centres_[0][k]) > across) scaled[k] = near[k];
+  return scaled;
 }
 
 Eigen::Vector3d Unwrapping::nearest_image(Eigen::Vector3d scaled, const Eigen::Vector3d& to) const {

@@ -13,12 +13,14 @@ namespace mdana {
 
 /// Where in a periodic box each body is, however it lies across the faces: the mean direction of
 /// the phases 2 pi s of its atoms along each edge, s being the scaled coordinate (Bai & Breen 2008,
-/// J. Graph. Tools 13, 53). Columns: cos and sin sums along the three edges, and atoms, of each body.
+/// J. Graph. Tools 13, 53). Columns: sums of cos, sin and s along the three edges, and atoms, of each
+/// body.
 std::unique_ptr<Analysis> make_box_centres(std::size_t bodies);
 
 /// The periodic images that belong together: atoms are moved to the image nearest to their body's
-/// centre, bodies to the image nearest to where they were in the frame before (in the first frame:
-/// nearest to body 1). For wrapped positions without image flags. Right for bodies that are smaller
+/// centre, bodies to the image nearest to where they were in the frame before. In the first frame
+/// they stay where most of their atoms are, unless that is more than 2/3 of an edge from body 1: then
+/// they are its neighbours through the face. For wrapped positions without image flags. Right for bodies that are smaller
 /// than half the box and move less than half of it from frame to frame.
 class Unwrapping {
  public:
@@ -30,6 +32,7 @@ class Unwrapping {
   std::size_t apply(AtomBlock& block, std::span<const BodyIndex> body) const;
 
  private:
+  Eigen::Vector3d beside_first(Eigen::Vector3d scaled) const;
   Eigen::Vector3d nearest_image(Eigen::Vector3d scaled, const Eigen::Vector3d& to) const;
 
   Box box_;
