@@ -36,10 +36,4 @@ std::unique_ptr<FrameSource> open_atom_lines(const AtomLineDump& dump,
                                              const std::filesystem::path& path,
                                              const ColumnSet& wanted);
 
-/// The layout of lines that are words with blanks between them, a word a column of the header.
-/// Part of lammps_text.
-std::shared_ptr<const FrameLayout> word_line_layout(const FrameHeader& header,
-                                                    const ColumnSet& wanted,
-                                                    const std::string& path);
-
 }  // namespace mdana

@@ -6,6 +6,7 @@
 #include "readers/format.hpp"
 #include "readers/lammps_text/header.hpp"
 #include "readers/lammps_text/writer.hpp"
+#include "readers/word_lines.hpp"
 
 namespace mdana {
 namespace {
@@ -45,10 +46,15 @@ bool recognises(std::string_view head) {
   return false;
 }
 
+std::shared_ptr<const FrameLayout> layout(const FrameHeader& header, const ColumnSet& wanted,
+                                          const std::string& path) {
+  return std::make_shared<WordLines>(header, wanted, path);
+}
+
 std::unique_ptr<FrameSource> open(std::unique_ptr<ByteSource> bytes,
                                   const std::filesystem::path& path, const ColumnSet& wanted) {
   return open_atom_lines(
-      {lammps_text::read_header, word_line_layout, section_start, to_next_header},
+      {lammps_text::read_header, layout, section_start, to_next_header},
       std::move(bytes), path, wanted);
 }
 

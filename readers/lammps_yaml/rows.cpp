@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "readers/atom_lines.hpp"
 #include "readers/flow_list.hpp"
 #include "readers/input_error.hpp"
+#include "readers/word_lines.hpp"
 
 namespace mdana::lammps_yaml {
 namespace {
@@ -66,7 +66,7 @@ Values copy_quoted_values(std::string_view values, char* out) {
 Rows::Rows(const FrameHeader& header, const ColumnSet& wanted, std::string path)
     : columns_(header.columns.size()),
       path_(std::move(path)),
-      words_(word_line_layout(header, wanted, path_)) {}
+      words_(std::make_shared<WordLines>(header, wanted, path_)) {}
 
 /// Copies the values of a row to the same places behind `out`. Returns what is wrong with it.
 std::string Rows::copy_row(std::string_view row, char* out) const {

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "readers/frame.hpp"
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 #include "readers/line_reader.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 constexpr std::size_t atoms = 1 << 16;
@@ -105,6 +105,6 @@ const int registered = [] {
 }();
 
 }  // namespace
-}  // namespace mdana::lammps_text
+}  // namespace mdana
 
 BENCHMARK_MAIN();

@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "readers/frame.hpp"
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 #include "readers/line_reader.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 class Kernels : public ::testing::TestWithParam<const LineKernel*> {
@@ -194,4 +194,4 @@ INSTANTIATE_TEST_SUITE_P(Line, Kernels, ::testing::ValuesIn(line_kernels().begin
                          [](const auto& param) { return std::string(param.param->name); });
 
 }  // namespace
-}  // namespace mdana::lammps_text
+}  // namespace mdana

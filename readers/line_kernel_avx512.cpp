@@ -6,7 +6,7 @@
 // to 10^22 is correctly rounded (Clinger 1990).
 #if defined(__x86_64__)
 
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 
 // GCC 12 warns of its own header (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -18,7 +18,7 @@
   __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx512cd,avx2,bmi,bmi2,lzcnt,popcnt")))
 #define MDANA_INLINE MDANA_TARGET inline __attribute__((always_inline))
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 /// A bit for each of 64 bytes.
@@ -33,11 +33,11 @@ MDANA_INLINE Masks masks_of(const char* text) {
 }
 
 }  // namespace
-}  // namespace mdana::lammps_text
+}  // namespace mdana
 
-#include "readers/lammps_text/line_scan.hpp"
+#include "readers/line_scan.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 constexpr std::size_t at_once = 8;
@@ -211,6 +211,6 @@ bool supported() {
 extern const LineKernel avx512_kernel;
 const LineKernel avx512_kernel{"avx512", supported, scan, reals, integers};
 
-}  // namespace mdana::lammps_text
+}  // namespace mdana
 
 #endif

@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 /// Starts and ends of the columns of one line within Words * 64 bytes.
@@ -81,4 +81,4 @@ MDANA_TARGET LineKernel::Scanned scan(const char* text, std::size_t lines, const
 }
 
 }  // namespace
-}  // namespace mdana::lammps_text
+}  // namespace mdana

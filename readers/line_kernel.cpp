@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 
 #include <charconv>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
-namespace mdana::lammps_text {
+namespace mdana {
 
 extern const LineKernel avx512_kernel;
 extern const LineKernel avx2_kernel;
@@ -19,7 +19,7 @@ const char* scan_line(const char* at, const char* start, const LineShape& shape,
   std::uint32_t column = 0;
   std::size_t next = 0;  // of the wanted ones
   while (true) {
-    while (is_blank(*at)) ++at;
+    while (is_gap(*at)) ++at;
     if (*at == '\n') return column == shape.columns ? at + 1 : nullptr;
     const char* token = at;
     while (static_cast<unsigned char>(*at) > ' ') ++at;
@@ -92,4 +92,4 @@ bool parse_number(std::string_view token, std::int64_t& value) {
   return error == std::errc{} && stop == end;
 }
 
-}  // namespace mdana::lammps_text
+}  // namespace mdana

@@ -6,15 +6,15 @@
 
 #include "readers/column_choice.hpp"
 #include "readers/frame_layout.hpp"
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 
-/// Which words of an atom line become which columns of a block.
-class AtomLayout final : public FrameLayout {
+/// Atoms of one line each: words with blanks between them, a word a column of the frame.
+class WordLines final : public FrameLayout {
  public:
   /// `path` is that of the file, for messages. Throws InputError if the frame lacks a wanted column.
-  AtomLayout(const FrameHeader& header, const ColumnSet& wanted, std::string path,
+  WordLines(const FrameHeader& header, const ColumnSet& wanted, std::string path,
              const LineKernel& kernel = best_line_kernel());
 
   /// Numbers are correctly rounded. Throws InputError naming line and column at a word that is no
@@ -38,4 +38,4 @@ class AtomLayout final : public FrameLayout {
   const LineKernel& kernel_;
 };
 
-}  // namespace mdana::lammps_text
+}  // namespace mdana

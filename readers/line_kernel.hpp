@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mdana::lammps_text {
+namespace mdana {
 
 /// The columns of a line and those of them that are wanted, ascending.
 struct LineShape {
@@ -54,10 +54,10 @@ std::span<const LineKernel* const> line_kernels();
 const LineKernel& best_line_kernel();
 
 /// A blank between columns: everything up to the space but the line end.
-constexpr bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' && c != '\n'; }
+constexpr bool is_gap(char c) { return static_cast<unsigned char>(c) <= ' ' && c != '\n'; }
 
 /// The whole token as a number, correctly rounded; false if it is none.
 bool parse_number(std::string_view token, double& value);
 bool parse_number(std::string_view token, std::int64_t& value);
 
-}  // namespace mdana::lammps_text
+}  // namespace mdana

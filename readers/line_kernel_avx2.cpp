@@ -6,7 +6,7 @@
 // to 10^22 is correctly rounded (Clinger 1990).
 #if defined(__x86_64__)
 
-#include "readers/lammps_text/line_kernel.hpp"
+#include "readers/line_kernel.hpp"
 
 #include <immintrin.h>
 
@@ -14,7 +14,7 @@
 #define MDANA_TARGET __attribute__((target("avx2,bmi,bmi2,lzcnt,popcnt")))
 #define MDANA_INLINE MDANA_TARGET inline __attribute__((always_inline))
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 /// A bit for each of 64 bytes.
@@ -37,11 +37,11 @@ MDANA_INLINE Masks masks_of(const char* text) {
 }
 
 }  // namespace
-}  // namespace mdana::lammps_text
+}  // namespace mdana
 
-#include "readers/lammps_text/line_scan.hpp"
+#include "readers/line_scan.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 constexpr std::size_t at_once = 4;
@@ -200,6 +200,6 @@ bool supported() { return __builtin_cpu_supports("avx2") && __builtin_cpu_suppor
 extern const LineKernel avx2_kernel;
 const LineKernel avx2_kernel{"avx2", supported, scan, reals, integers};
 
-}  // namespace mdana::lammps_text
+}  // namespace mdana
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "readers/lammps_text/atoms.hpp"
+#include "readers/word_lines.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,10 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "readers/atom_lines.hpp"
 #include "readers/input_error.hpp"
 
-namespace mdana::lammps_text {
+namespace mdana {
 namespace {
 
 /// A place in the chunk's text, which always ends with a newline.
@@ -18,7 +17,7 @@ struct Cursor {
   const char* at;
 
   void skip_blanks() {
-    while (is_blank(*at)) ++at;
+    while (is_gap(*at)) ++at;
   }
   bool at_line_end() const { return *at == '\n'; }
   std::string_view take_token() {
@@ -62,16 +61,16 @@ Digits digits_of(std::string_view token) {
 
 }  // namespace
 
-AtomLayout::AtomLayout(const FrameHeader& header, const ColumnSet& wanted, std::string path,
+WordLines::WordLines(const FrameHeader& header, const ColumnSet& wanted, std::string path,
                        const LineKernel& kernel)
     : choice_(header, wanted), names_(header.columns), path_(std::move(path)), kernel_(kernel) {}
 
 /// Converts the lines of one chunk: batches of lines by the kernel, the lines and tokens that it
 /// leaves one by one, which also finds the words for what is wrong with them.
-class AtomLayout::Conversion {
+class WordLines::Conversion {
  public:
   /// With `faults` it notes what is wrong and goes on, else it throws.
-  Conversion(const AtomLayout& layout, const Chunk& chunk, AtomBlock& block,
+  Conversion(const WordLines& layout, const Chunk& chunk, AtomBlock& block,
              BlockFaults* faults = nullptr)
       : layout_(layout), chunk_(chunk), faults_(faults) {
     shape_.columns = static_cast<std::uint32_t>(layout.names_.size());
@@ -168,7 +167,7 @@ class AtomLayout::Conversion {
     met_.clear();
   }
 
-  const AtomLayout& layout_;
+  const WordLines& layout_;
   const Chunk& chunk_;
   BlockFaults* faults_;
   std::vector<Fault> met_;  ///< in the lines of a batch
@@ -177,19 +176,19 @@ class AtomLayout::Conversion {
   std::vector<TokenBatch> batches_;
 };
 
-void AtomLayout::convert(const Chunk& chunk, AtomBlock& block) const {
+void WordLines::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);
   Conversion(*this, chunk, block).run();
   choice_.finish(block);
 }
 
-void AtomLayout::check(const Chunk& chunk, AtomBlock& block, BlockFaults& faults) const {
+void WordLines::check(const Chunk& chunk, AtomBlock& block, BlockFaults& faults) const {
   block.reset(chunk.number, chunk.atoms);
   Conversion(*this, chunk, block, &faults).run();
   choice_.finish(block);
 }
 
-PrintedPrecision AtomLayout::printed_precision(const Chunk& chunk, std::string_view column) const {
+PrintedPrecision WordLines::printed_precision(const Chunk& chunk, std::string_view column) const {
   const auto file_column =
       static_cast<std::size_t>(std::ranges::find(names_, column) - names_.begin());
   Cursor c{chunk.bytes.data()};
@@ -208,16 +207,6 @@ PrintedPrecision AtomLayout::printed_precision(const Chunk& chunk, std::string_v
   if (printed.decimals == 0 && !exponents) return {};
   printed.fixed = !exponents && least_decimals == printed.decimals;
   return printed;
-}
-
-}  // namespace mdana::lammps_text
-
-namespace mdana {
-
-std::shared_ptr<const FrameLayout> word_line_layout(const FrameHeader& header,
-                                                    const ColumnSet& wanted,
-                                                    const std::string& path) {
-  return std::make_shared<lammps_text::AtomLayout>(header, wanted, path);
 }
 
 }  // namespace mdana
