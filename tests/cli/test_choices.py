@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parts of a dump: frames, atoms, and what damage does with and without --strict."""
+
+import gzip
+
+import running
+from running import SAMPLE
+
+SCENE = ("--scene", SAMPLE.parent / "scene.toml")
+LAST_COLUMNS = "type x y z vx vy vz\n"
+
+
+def with_more_atoms(frame):
+    """A frame of the sample with five atoms of type 3 before its own."""
+    head, atoms = frame.split(LAST_COLUMNS)
+    count = int(head.split("NUMBER OF ATOMS\n")[1].split("\n")[0])
+    more = "".join(f"{count + k} 3 {k}.5 0 0 0 0 0\n" for k in range(1, 6))
+    return head.replace(f"ATOMS\n{count}\n", f"ATOMS\n{count + 5}\n") + LAST_COLUMNS + more + atoms
+
+
+class Choices(running.Case):
+    def test_frames_are_a_slice(self):
+        whole = self.table("force", SAMPLE)
+        for choice, part in ((":20", slice(20)), ("5:", slice(5, None)), ("3:41:2", slice(3, 41, 2))):
+            chosen = self.table("force", SAMPLE, "--frames", choice)
+            for name in ("step", "X", "x1", "vx2"):
+                self.assertEqual(chosen[name], whole[name][part], choice)
+        self.assertEqual(self.table("force", SAMPLE, "--stride", 4),
+                         self.table("force", SAMPLE, "--frames", "::4"))
+
+    def test_what_is_no_choice(self):
+        for options in (("--frames", "5"), ("--frames", "9:3"), ("--frames", "::2", "--stride", "2"),
+                        ("--select", "x:1-2"), ("--select", "id:3-1")):
+            self.refused("force", SAMPLE, *options, code=2, says=[options[0].strip("-")[:6]])
+        self.refused("force", SAMPLE, "--frames", "1000:", says=["none chosen"])
+
+    def test_atoms_that_are_not_selected_are_not_there(self):
+        text = gzip.decompress(SAMPLE.read_bytes()).decode()
+        first, *frames = text.split("ITEM: UNITS\n")[-1].split("ITEM: TIMESTEP\n")
+        dump = self.dir / "more.lammpstrj"
+        dump.write_text("ITEM: UNITS\n" + first +
+                        "".join("ITEM: TIMESTEP\n" + with_more_atoms(frame) for frame in frames))
+        plain = self.document("force", SAMPLE)
+        selected = self.document("force", dump, *SCENE, "--select", "type:1-2")
+        for name in ("F_max", "delta_max", "hysteresis_area", "outcome"):
+            self.assertEqual(selected[name], plain[name])
+        self.refused("force", dump, *SCENE, "--bodies", "type", says=["3 bodies"])
+
+    def test_strict_refuses_what_else_is_used_in_part(self):
+        cut = self.dir / "cut.lammpstrj"
+        cut.write_bytes(gzip.decompress(SAMPLE.read_bytes())[:-100])
+        for command in ("force", "contact-radius"):
+            self.assertIn("damaged input", self.document(command, cut, *SCENE, code=3)["warnings"][-1])
+            self.refused(command, cut, *SCENE, "--strict", says=["the file ends"])
+            self.mdana(command, SAMPLE, "--strict")
+
+
+if __name__ == "__main__":
+    running.main()
