@@ -154,7 +154,8 @@ void add_resource_options(Options& options) {
   add_threads_option(options);
   options.add_options()  //
       ("memory", po::value<long>()->default_value(128)->value_name("MB"),
-       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice");
+       "memory for the atoms of a frame that are looked at twice; beyond it they are read twice "
+       "(besides, about 5 MB a thread)");
 }
 
 void set_resources(const Values& values, SweepOptions& sweeping) {
