@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analyses/force_series.hpp"
 #include "analyses/turning_points.hpp"
 
 namespace mdana {
@@ -19,24 +20,11 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Standard deviation of what changes from frame to frame without rule: by the median of the third
-/// differences, which smooth changes leave small (1.4826 for the median of a normal distribution,
-/// sqrt(20) for the differences).
-double noise(const std::vector<double>& series) {
-  if (series.size() < 8) return 0;
-  std::vector<double> size;
-  for (std::size_t i = 3; i < series.size(); ++i)
-    size.push_back(std::abs(series[i] - 3 * series[i - 1] + 3 * series[i - 2] - series[i - 3]));
-  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-  std::nth_element(size.begin(), middle, size.end());
-  return 1.4826 * *middle / std::sqrt(20.0);
-}
-
 Span contact_span(const std::vector<double>& force) {
   double strongest = 0;
   for (const double f : force) strongest = std::max(strongest, std::abs(f));
   const double limit = std::max(contact_force_fraction * strongest,
-                                std::min(4 * noise(force), 0.1 * strongest));
+                                std::min(4 * noise_of(force), 0.1 * strongest));
   Span span{force.size(), 0};
   for (std::size_t i = 0; i < force.size(); ++i) {
     const bool alone = (i == 0 || std::abs(force[i - 1]) < limit) &&
@@ -130,19 +118,63 @@ double work_above(const ForceCurve& curve, std::size_t first, std::size_t last, 
   return work;
 }
 
+/// Squared speed where delta passes `low` between two frames that lie on different sides of it.
+double square_at(const ForceCurve& curve, const std::vector<double>& squares, std::size_t before,
+                 double low) {
+  const double d0 = curve.delta[before], d1 = curve.delta[before + 1];
+  const double part = d1 == d0 ? 0 : (low - d0) / (d1 - d0);
+  return squares[before] + part * (squares[before + 1] - squares[before]);
+}
+
+/// Kinetic energy of the relative motion lost between the passages of `low` in a cycle.
+double kinetic_loss(const ForceCurve& curve, const std::vector<double>& squares, const Cycle& cycle,
+                    double low, double energy_of_square) {
+  std::size_t up = cycle.turn, down = cycle.turn;
+  while (up > cycle.start && curve.delta[up] > low) --up;
+  while (down < cycle.end && curve.delta[down] > low) ++down;
+  if (down == cycle.turn || up == cycle.turn) return std::numeric_limits<double>::quiet_NaN();
+  return energy_of_square *
+         (square_at(curve, squares, up, low) - square_at(curve, squares, down - 1, low));
+}
+
+/// Loop area and kinetic loss of the first cycle.
+void find_losses(const RelativeMotion& motion, Units units, ForceCurve& curve) {
+  const Cycle& c = curve.cycles[0];
+  const double low = std::max(curve.delta[c.start], curve.delta[c.end]);
+  curve.hysteresis_area.value = work_above(curve, c.start, c.end, low);
+  const std::vector<double> squares = squared_speed(motion);
+  if (squares.empty()) return;
+  const double energy = 0.5 * motion.reduced_mass * force_per_mass_acceleration(units);
+  curve.kinetic_loss.value = kinetic_loss(curve, squares, c, low, energy);
+}
+
+/// Standard deviation of the loop area by the noise of single forces (trapezoidal rule).
+double area_noise(const ForceCurve& curve, double noise) {
+  const Cycle& c = curve.cycles[0];
+  double squares = 0;
+  for (std::size_t i = c.start; i <= c.end; ++i) {
+    const double before = i > c.start ? curve.delta[i] - curve.delta[i - 1] : 0;
+    const double behind = i < c.end ? curve.delta[i + 1] - curve.delta[i] : 0;
+    squares += 0.25 * (before + behind) * (before + behind);
+  }
+  return noise * std::sqrt(squares);
+}
+
 ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units,
-                   double radius_sum) {
+                   double radius_sum, int window) {
   ForceCurve curve;
+  curve.window = window;
   curve.distance = motion.distance();
   for (const double x : curve.distance) curve.delta.push_back(radius_sum - x);
   curve.speed = approach_speed(motion);
-  curve.force = interparticle_force(motion, source, units);
+  curve.force = interparticle_force(motion, source, units, window > 0 ? window : 5);
   curve.contact = have_contact(curve, motion, units);
   curve.phase.assign(curve.delta.size(), Phase::approach);
   curve.delta_max = {largest(curve.delta), {}, dimension::length};
   curve.force_max = {largest(curve.force), {}, dimension::force};
   curve.force_min_loading.dimension = dimension::force;
   curve.hysteresis_area = {std::numeric_limits<double>::quiet_NaN(), {}, dimension::energy};
+  curve.kinetic_loss = curve.hysteresis_area;
   if (!curve.contact) return curve;
 
   const Span contact = contact_span(curve.force);
@@ -152,11 +184,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   const std::size_t turn = curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn;
   curve.force_min_loading.value =
       *std::min_element(curve.force.begin(), curve.force.begin() + static_cast<long>(turn) + 1);
-  if (!curve.cycles.empty()) {
-    const Cycle& c = curve.cycles[0];
-    curve.hysteresis_area.value = work_above(curve, c.start, c.end,
-                                             std::max(curve.delta[c.start], curve.delta[c.end]));
-  }
+  if (!curve.cycles.empty()) find_losses(motion, units, curve);
   return curve;
 }
 
@@ -169,7 +197,37 @@ void widen(Value& value, const Value& coarse) {
   widen(value, value.value - coarse.value);
 }
 
+/// Whether the truncation of the derivative is large: at two frames or more, so that the edges of a
+/// contact do not count.
+bool is_coarse(const ForceSeries& series) {
+  const double limit = 0.05 * largest(series.value);
+  return std::ranges::count_if(series.truncation, [&](double t) { return t > limit; }) > 5;
+}
+
+/// Noise is independent of what sampling does.
+void add(Value& value, double noise) {
+  if (value.error) value.error = std::hypot(*value.error, noise);
+}
+
+void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
+  add(curve.force_max, noise);
+  add(curve.force_min_loading, noise);
+  if (curve.cycles.empty()) return;
+  add(curve.hysteresis_area, area_noise(curve, noise));
+  if (curve.speed.empty()) return;
+  const double fastest = std::max(largest(curve.speed), -*std::ranges::min_element(curve.speed));
+  add(curve.kinetic_loss, std::sqrt(2.0) * motion.reduced_mass * force_per_mass_acceleration(units) *
+                              fastest * noise_of(curve.speed));
+}
+
 }  // namespace
+
+bool energies_disagree(const ForceCurve& curve) {
+  const Value &area = curve.hysteresis_area, &loss = curve.kinetic_loss;
+  if (std::isnan(area.value) || std::isnan(loss.value) || !area.error || !loss.error) return false;
+  const double rounding = 1e-9 * (std::abs(area.value) + std::abs(loss.value));
+  return std::abs(area.value - loss.value) > 2 * std::hypot(*area.error, *loss.error) + rounding;
+}
 
 std::string_view name(Phase phase) {
   constexpr std::array<std::string_view, 4> names{"approach", "loading", "unloading", "separated"};
@@ -183,17 +241,24 @@ std::string_view name(Outcome outcome) {
 
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
                        double radius_sum) {
-  ForceCurve curve = measure(motion, source, units, radius_sum);
+  const ForceSeries series = force_series(motion, source, units);
+  ForceCurve curve = measure(motion, source, units, radius_sum, series.window);
+  for (std::size_t i = 0; i < curve.force.size(); ++i) curve.force_error.push_back(series.error(i));
   if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
+  curve.coarse = is_coarse(series);
   widen(curve.force_max, missed_above(curve.force));
   widen(curve.delta_max, missed_above(curve.delta));
   for (const std::size_t first : {0, 1}) {
-    const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum);
+    const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum,
+                                      series.window);
     widen(curve.force_max, coarse.force_max);
     widen(curve.force_min_loading, coarse.force_min_loading);
     widen(curve.delta_max, coarse.delta_max);
-    if (!curve.cycles.empty()) widen(curve.hysteresis_area, coarse.hysteresis_area);
+    if (curve.cycles.empty()) continue;
+    widen(curve.hysteresis_area, coarse.hysteresis_area);
+    widen(curve.kinetic_loss, coarse.kinetic_loss);
   }
+  add_noise(motion, units, series.noise, curve);
   return curve;
 }
 
@@ -206,6 +271,7 @@ Table force_table(const ForceCurve& curve, const RelativeMotion& motion, const T
   table.add_column({"delta", dimension::length}, curve.delta);
   if (!curve.speed.empty()) table.add_column({"v", dimension::velocity}, curve.speed);
   table.add_column({"F", dimension::force}, curve.force);
+  table.add_column({"F_error", dimension::force}, curve.force_error);
   std::vector<std::string> labels;
   for (const Phase p : {Phase::approach, Phase::loading, Phase::unloading, Phase::separated})
     labels.emplace_back(name(p));

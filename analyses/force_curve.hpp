@@ -35,13 +35,14 @@ struct Cycle {
 };
 
 /// Force against mutual approach, and what is read off it. Errors are the largest difference to the
-/// same number from every second frame (even ones, odd ones) and, for maxima, twice the rise of a
-/// parabola above the greatest sample.
+/// same number from every second frame (even ones, odd ones), for maxima at least twice the rise of a
+/// parabola above the greatest sample, and together with that the noise of the force.
 struct ForceCurve {
   std::vector<double> distance;  ///< X [length]
   std::vector<double> delta;     ///< R1 + R2 - X [length]
   std::vector<double> speed;     ///< d delta/dt [velocity]; empty if unknown
   std::vector<double> force;     ///< repulsive > 0 [force]
+  std::vector<double> force_error;  ///< standard error of each [force]; NaN if unknown
   std::vector<Phase> phase;
   std::vector<Cycle> cycles;     ///< the first is the collision; empty without contact
 
@@ -54,7 +55,16 @@ struct ForceCurve {
   /// the energy lost in the first cycle; for a head-on bounce all
   /// that is lost. NaN without a turn.
   Value hysteresis_area;
+  /// Relative kinetic energy lost between the two passages of the delta that the loop begins and ends
+  /// at: must be the loop area. NaN without a turn, or if speeds are unknown.
+  Value kinetic_loss;
+
+  int window = 0;        ///< frames that a derivative is made from; 0 for summed forces
+  bool coarse = false;   ///< halved sampling changes the force by more than 5 % of its maximum
 };
+
+/// Whether loop area and kinetic loss differ by more than twice their errors and what rounding leaves.
+bool energies_disagree(const ForceCurve& curve);
 
 /// Reads phases, turning points, outcome and loop area off the motion.
 /// `radius_sum` is R1 + R2. Throws InputError as interparticle_force does.

@@ -12,7 +12,8 @@ namespace mdana {
 namespace {
 
 Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3Xd& samples,
-                              const DerivativeRule& rule) {
+                              DerivativeRule rule, int window) {
+  rule.window = window;
   if (motion.frames() <= rule.degree)
     throw InputError(fmt::format("{} frames are too few to differentiate; {} are needed",
                                  motion.frames(), rule.degree + 1));
@@ -75,8 +76,8 @@ std::string_view name(ForceSource source) {
 std::string_view description(ForceSource source) {
   constexpr std::array<std::string_view, 3> texts{
       "summed forces of the atoms, m* (F2/m2 - F1/m1)",
-      "m* dv/dt, derivative of the relative velocity over 5 frames",
-      "m* d2x/dt2, second derivative of the relative position over 5 frames"};
+      "m* dv/dt, derivative of the relative velocity",
+      "m* d2x/dt2, second derivative of the relative position"};
   return texts[static_cast<std::size_t>(source)];
 }
 
@@ -100,6 +101,8 @@ RelativeMotion RelativeMotion::subset(std::size_t first, std::size_t stride) con
   part.steps = every(steps, first, stride);
   part.times = every(times, first, stride);
   part.reduced_mass = reduced_mass;
+  part.position_noise = position_noise;
+  part.velocity_noise = velocity_noise;
   part.position = every(position, first, stride);
   part.velocity = every(velocity, first, stride);
   part.acceleration = every(acceleration, first, stride);
@@ -150,7 +153,7 @@ std::vector<double> squared_speed(const RelativeMotion& motion) {
 }
 
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
-                                        Units units) {
+                                        Units units, int window) {
   if (!motion.can_give(source))
     throw InputError(fmt::format("the force cannot be had from {}: {}", name(source),
                                  motion.times.empty() && source != ForceSource::forces
@@ -161,11 +164,13 @@ std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSourc
     case ForceSource::forces:
       return along_centre_line(motion, motion.acceleration, motion.reduced_mass);
     case ForceSource::velocities:
-      return along_centre_line(motion, differentiate(motion, motion.velocity, first_derivative),
-                               from_acceleration);
+      return along_centre_line(
+          motion, differentiate(motion, motion.velocity, first_derivative, window),
+          from_acceleration);
     case ForceSource::positions:
-      return along_centre_line(motion, differentiate(motion, motion.position, second_derivative),
-                               from_acceleration);
+      return along_centre_line(
+          motion, differentiate(motion, motion.position, second_derivative, window),
+          from_acceleration);
   }
   return {};
 }

@@ -31,6 +31,8 @@ struct RelativeMotion {
   Eigen::Matrix3Xd position;      ///< X2 - X1 [length]
   Eigen::Matrix3Xd velocity;      ///< [velocity]; no columns if not measured
   Eigen::Matrix3Xd acceleration;  ///< F2/m2 - F1/m1 [force/mass]; no columns without forces
+  /// Standard deviation of a component by the printed digits; 0 if they are exact or not known.
+  double position_noise = 0, velocity_noise = 0;
 
   Eigen::Index frames() const { return position.cols(); }
   bool can_give(ForceSource source) const;
@@ -54,10 +56,11 @@ std::vector<double> squared_speed(const RelativeMotion& motion);
 
 /// Force between the bodies along their centre line, positive if repulsive, in the unit system's
 /// force unit: m* times relative acceleration (Yoshida, Kokubo & Tanaka 2024, Sec. IV A 1).
+/// Derivatives are those of polynomials of degree 4 over `window` frames.
 /// Throws InputError if the source is not there, frames are too few to differentiate, or the centres
 /// coincide.
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
-                                        Units units);
+                                        Units units, int window = 5);
 
 /// Five-point formulas, exact for polynomials of degree 4.
 inline constexpr DerivativeRule first_derivative{1, 4, 5};

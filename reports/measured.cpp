@@ -61,10 +61,15 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
   document.number("F_min_loading", curve.force_min_loading);
   document.number("delta_max", curve.delta_max);
   document.number("hysteresis_area", curve.hysteresis_area);
+  document.number("kinetic_loss", curve.kinetic_loss);
   document.json("force_source", name(source));
   document.line("force from", std::string(description(source)));
   document.number("radius_sum", {radii.sum(), {}, dimension::length});
   document.text("radius_source", radii.source);
+  if (curve.window > 0) {
+    document.json("derivative_window", curve.window);
+    document.line("derivative", fmt::format("over {} frames, degree 4", curve.window));
+  }
   document.json("cycles", curve.cycles.size());
   document.line("cycles", fmt::format("{} loading and unloading", curve.cycles.size()));
   document.json("contact_rule",
@@ -76,6 +81,13 @@ void warn_of_force(Document& document, const ForceCurve& curve) {
   if (curve.delta_max.value < 0)
     document.warn("delta is negative even at the greatest compression: the radius is smaller than "
                   "that at which the bodies touch; take R from fit-hertz and give it as --radius");
+  if (curve.coarse)
+    document.warn("the dump is too coarse for the force from derivatives: every second frame gives one "
+                  "that differs by more than 5 % of F_max; dump more often, or dump fx fy fz");
+  if (energies_disagree(curve))
+    document.warn(fmt::format("the loop area ({:.6g}) and the kinetic energy lost ({:.6g}) differ by more "
+                              "than their errors",
+                              curve.hysteresis_area.value, curve.kinetic_loss.value));
   if (curve.outcome == Outcome::unresolved)
     document.warn("the dump ends before the bodies separate or turn back: no outcome");
 }

@@ -162,10 +162,10 @@ TEST(ForceTable, HasTheColumnsThatAreKnown) {
     for (const ColumnSpec& column : table.columns()) text += column.name + " ";
     return text;
   };
-  EXPECT_EQ(names(), "step time X delta v F phase x1 y1 ");
+  EXPECT_EQ(names(), "step time X delta v F F_error phase x1 y1 ");
   motion.times.clear();
   motion.velocity.resize(3, 0);
-  EXPECT_EQ(names(), "step X delta F phase x1 y1 ");
+  EXPECT_EQ(names(), "step X delta F F_error phase x1 y1 ");
 }
 
 }  // namespace

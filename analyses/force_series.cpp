@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/force_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mdana {
+namespace {
+
+using Series = std::vector<double>;
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double strong = 0.05;  ///< of the largest force: frames that count for what is chosen
+
+double largest_magnitude(const Series& series) {
+  double largest = 0;
+  for (const double value : series) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Root mean square of the differences where `force` is strong.
+double rms_difference(const Series& a, const Series& b, const Series& force) {
+  const double limit = strong * largest_magnitude(force);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::abs(force[i]) >= limit) {
+      sum += (a[i] - b[i]) * (a[i] - b[i]);
+      ++count;
+    }
+  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+/// At every frame the force from every `stride`-th frame before and behind it.
+Series sampled_force(const RelativeMotion& motion, ForceSource source, Units units, int window,
+                     std::size_t stride) {
+  Series force(static_cast<std::size_t>(motion.frames()));
+  for (std::size_t first = 0; first < stride; ++first) {
+    const Series part = interparticle_force(motion.subset(first, stride), source, units, window);
+    for (std::size_t k = 0; k < part.size(); ++k) force[first + k * stride] = part[k];
+  }
+  return force;
+}
+
+/// Factor from the noise of samples to that of the force in the middle of the series.
+double noise_gain(const RelativeMotion& motion, ForceSource source, Units units, int window) {
+  const std::size_t n = motion.times.size();
+  const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(window), n);
+  const std::size_t first = (n - length) / 2;
+  const std::span<const double> times(&motion.times[first], length);
+  DerivativeRule rule = source == ForceSource::velocities ? first_derivative : second_derivative;
+  rule.window = window;
+  double squares = 0;
+  for (std::size_t j = 0; j < length; ++j) {
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(length));
+    unit(0, static_cast<Eigen::Index>(j)) = 1;
+    const double weight = derivative(times, unit, rule)(0, static_cast<Eigen::Index>(length / 2));
+    squares += weight * weight;
+  }
+  return motion.reduced_mass * force_per_mass_acceleration(units) * std::sqrt(squares);
+}
+
+/// A window and what it gives.
+struct Candidate {
+  int window;
+  Series force;
+  double noise;
+};
+
+bool is_explained(const Candidate& longer, const std::vector<Candidate>& shorter) {
+  return std::ranges::all_of(shorter, [&](const Candidate& c) {
+    return rms_difference(longer.force, c.force, shorter.front().force) <=
+           2 * (longer.noise + c.noise);
+  });
+}
+
+Candidate best_window(const RelativeMotion& motion, ForceSource source, Units units) {
+  const double noise =
+      source == ForceSource::velocities ? motion.velocity_noise : motion.position_noise;
+  std::vector<Candidate> candidates;
+  for (const int window : derivative_windows) {
+    if (!candidates.empty() && window > motion.frames() / 2) break;
+    Candidate next{window, interparticle_force(motion, source, units, window),
+                   noise * noise_gain(motion, source, units, window)};
+    if (!candidates.empty() && !is_explained(next, candidates)) break;
+    candidates.push_back(std::move(next));
+  }
+  return candidates.back();
+}
+
+/// Root mean square over a frame and the two on each side of it.
+double local_rms(const Series& a, const Series& b, std::size_t i) {
+  const std::size_t first = i - std::min<std::size_t>(i, 2), last = std::min(i + 3, a.size());
+  double sum = 0;
+  for (std::size_t k = first; k < last; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum / static_cast<double>(last - first));
+}
+
+void find_truncation(const RelativeMotion& motion, ForceSource source, Units units,
+                     ForceSeries& series) {
+  if (motion.frames() / 4 <= first_derivative.degree) return;
+  const Series half = sampled_force(motion, source, units, series.window, 2);
+  const Series quarter = sampled_force(motion, source, units, series.window, 4);
+  const double fine = rms_difference(series.value, half, series.value);
+  const double coarse = rms_difference(half, quarter, series.value);
+  series.order = fine > 0 && coarse > 0 ? std::clamp(std::log2(coarse / fine), 0.0, 4.0) : 4;
+  const double divisor = std::exp2(std::max(series.order, 1.0)) - 1;
+  for (std::size_t i = 0; i < series.value.size(); ++i)
+    series.truncation.push_back(local_rms(series.value, half, i) / divisor);
+}
+
+/// Robust standard deviation from the differences of one order.
+double noise_by_differences(Series series, int order) {
+  double variance = 1;  // of a difference, for unit noise: binomial(2 order, order)
+  for (int k = 1; k <= order; ++k) variance *= static_cast<double>(order + k) / k;
+  for (int k = 0; k < order; ++k) {
+    for (std::size_t i = 0; i + 1 < series.size(); ++i) series[i] = series[i + 1] - series[i];
+    series.pop_back();
+  }
+  for (double& value : series) value = std::abs(value);
+  const auto middle = series.begin() + static_cast<std::ptrdiff_t>(series.size() / 2);
+  std::nth_element(series.begin(), middle, series.end());
+  return 1.4826 * *middle / std::sqrt(variance);  // the median of a normal distribution
+}
+
+}  // namespace
+
+double ForceSeries::error(std::size_t i) const {
+  if (window == 0) return noise;
+  return truncation.empty() ? not_known : std::hypot(truncation[i], noise);
+}
+
+ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units) {
+  ForceSeries series;
+  if (source == ForceSource::forces) {
+    series.value = interparticle_force(motion, source, units);
+    series.noise = noise_of(series.value);
+    return series;
+  }
+  interparticle_force(motion, source, units);  // throws if the source is not there
+  Candidate best = best_window(motion, source, units);
+  series.value = std::move(best.force);
+  series.noise = best.noise;
+  series.window = best.window;
+  find_truncation(motion, source, units, series);
+  return series;
+}
+
+double noise_of(const std::vector<double>& series) {
+  if (series.size() < 32) return 0;
+  return std::min({noise_by_differences(series, 4), noise_by_differences(series, 8),
+                   noise_by_differences(series, 12)});
+}
+
+}  // namespace mdana
