@@ -323,24 +323,24 @@ class Encodings(running.Case):
     # ---- order
 
     def test_order_of_atoms(self):
-        """Means of 603 numbers in another order: the errors of mdana's sums are a few units in the last place of the
-        greatest number; 2^-53 times 16 of positions below 16, and of velocities below 1/4. F is m* = 301.5 times the
-        derivative over frames of 0.25, whose weights add to 3/h at the ends; from positions, twice that with 16/h^2."""
+        """Means of 603 numbers in another order. In order of ids the partial sums of positions come up to 2^11, and those
+        of velocities to 2^6: each addition rounds by at most 2^-43 and 2^-48, all the same way at worst, which is the
+        error of the mean; that of the difference of two tables is twice as large. v and F have two means each; F is
+        m* = 301.5 times a derivative over h = 0.25, whose weights add up to 11/h, the second one's to 27/h^2."""
+        place, speed, h = 2**-42, 2**-47, 0.25
+        force = {"velocities": 301.5 * 2 * speed * 11 / h, "positions": 301.5 * 2 * place * 27 / h**2}
         wanted = self.wanted()
         for seed in (1, 2, 3):
             dump = self.put(f"shuffled{seed}.dump", text(shuffled(seed)))
             for command, data in self.tables(dump).items():
                 found, expected = (self.columns(table) for table in (data, wanted[command]))
-                positions = "positions" in command
-                speed = 16 * 16 * 2**-53 * 12 if positions else 16 * 2**-53 / 4
-                force = 301.5 * (speed * 16 / 0.25 if positions else speed * 12 / 0.25)
-                scales = {"v": speed, "F": force}
+                scales = {"v": 2 * speed, "F": force.get(command.split()[-1])}
+                self.assertEqual(list(found), list(expected))
                 for name, values in found.items():
                     if any(isinstance(value, str) or value is None for value in values):
                         self.assertEqual(values, expected[name], name)
                     else:
-                        scale = scales.get(name, 16 * 16 * 2**-53)
-                        self.assert_close(values, expected[name], scale, 1, f"{command} {name}")
+                        self.assert_close(values, expected[name], scales.get(name, place), 1, f"{command} {name}")
 
     def columns(self, data):
         return running.read_csv(self.put("columns.csv", data))
