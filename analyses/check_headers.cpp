@@ -2,9 +2,12 @@
 #include "analyses/check_headers.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "readers/file_set.hpp"
 
 namespace mdana {
 
@@ -25,9 +28,20 @@ void HeaderCheck::add(const FrameHeader& header, Faults& faults) {
     tell(FaultKind::columns_change, header,
          fmt::format("the columns are {}, in the frame before {}", fmt::join(header.columns, " "),
                      fmt::join(before_->columns, " ")), faults);
+  check_file(header, faults);
   check_time(header, faults);
   check_units(header, faults);
   before_ = header;
+}
+
+/// LAMMPS names a file of a set by the step of its first frame.
+void HeaderCheck::check_file(const FrameHeader& header, Faults& faults) {
+  const std::string file = located(FaultKind::file_step, header.place, dump_).file;
+  if (file == std::exchange(file_, file)) return;
+  const auto named = step_in_name(dump_, file);
+  if (named && std::cmp_not_equal(*named, header.step))
+    tell(FaultKind::file_step, header,
+         fmt::format("the first step is {}, the file's name says {}", header.step, *named), faults);
 }
 
 void HeaderCheck::check_time(const FrameHeader& header, Faults& faults) {

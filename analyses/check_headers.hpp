@@ -23,10 +23,12 @@ class HeaderCheck {
  private:
   void tell(FaultKind kind, const FrameHeader& header, std::string what, Faults& faults) const;
   void check_time(const FrameHeader& header, Faults& faults);
+  void check_file(const FrameHeader& header, Faults& faults);
   void check_units(const FrameHeader& header, Faults& faults);
 
   std::string dump_;
   std::optional<FrameHeader> before_;
+  std::string file_;               ///< that the last frame stands in
   std::optional<bool> with_time_;  ///< the first frame states its time
   std::optional<double> time_;     ///< stated last
   std::optional<Units> units_;     ///< stated first

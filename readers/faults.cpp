@@ -29,6 +29,8 @@ constexpr FaultKindWords all_kinds[] = {
      "wrapped positions more than half a box outside a periodic box"},
     {FaultKind::atoms_change, "atoms_change", note, "another number of atoms than the frame before"},
     {FaultKind::columns_change, "columns_change", note, "other columns than the frame before"},
+    {FaultKind::file_step, "file_step", note,
+     "a file whose first step is not the number in its name, in a set of files by '*'"},
     {FaultKind::ids_lost, "ids_lost", note, "ids of the first whole frame that a later one lacks"},
     {FaultKind::ids_gained, "ids_gained", note, "ids that the first whole frame does not have"},
     {FaultKind::ids_unchecked, "ids_unchecked", note, "ids not compared, --memory is too small"},

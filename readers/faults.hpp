@@ -33,6 +33,7 @@ enum class FaultKind {
   outside_box,
   atoms_change,
   columns_change,
+  file_step,
   ids_lost,
   ids_gained,
   ids_unchecked,

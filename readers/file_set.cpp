@@ -138,4 +138,12 @@ std::optional<FileSet> find_file_set(const fs::path& name) {
   return set;
 }
 
+std::optional<std::uint64_t> step_in_name(const fs::path& set, const fs::path& file) {
+  const std::string pattern = set.filename().string();
+  if (pattern.find('*') == pattern.npos) return std::nullopt;
+  const auto found = match(pattern, file);
+  if (!found) return std::nullopt;
+  return found->step;
+}
+
 }  // namespace mdana

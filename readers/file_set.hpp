@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -15,5 +16,10 @@ using FileSet = std::vector<std::vector<std::filesystem::path>>;
 /// the order of numbers. Nothing if there is a file of that very name or no such sign in it.
 /// Throws InputError if no file matches, two match the same numbers, or pieces are missing.
 std::optional<FileSet> find_file_set(const std::filesystem::path& name);
+
+/// The number that stands for `*` in the name of one file of a set; nothing if the name of the set
+/// has no such sign, or the file is not of the set.
+std::optional<std::uint64_t> step_in_name(const std::filesystem::path& set,
+                                          const std::filesystem::path& file);
 
 }  // namespace mdana

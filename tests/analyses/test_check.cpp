@@ -377,16 +377,32 @@ TEST_F(Check, FilesOfASequence) {
     if (f == 1) own[3] = "many";
     if (f == 3) own[header_lines + 1] = "?";
     if (f == 2) own = {"nothing that is a dump"};
-    folder_.write(fmt::format("set.{}", f), joined(own));
+    folder_.write(fmt::format("set.{}", 100 * f), joined(own));
   }
   const CheckResult result = check_dump(folder_.path() / "set.*");
   const std::vector<Told> wanted{
       {"header", 4, 1}, {"header", std::nullopt, 2}, {"line", header_lines + 2u, 3}};
   EXPECT_EQ(told(result), wanted);
-  EXPECT_EQ(result.faults.kept()[0].file, (folder_.path() / "set.1").string());
-  EXPECT_EQ(result.faults.kept()[1].file, (folder_.path() / "set.2").string());
+  EXPECT_EQ(result.faults.kept()[0].file, (folder_.path() / "set.100").string());
+  EXPECT_EQ(result.faults.kept()[1].file, (folder_.path() / "set.200").string());
   EXPECT_EQ(result.frames, 3u);
   EXPECT_EQ(result.inputs.size(), 5u);
+}
+
+// A file of a set is named by its first step; others may follow in it.
+TEST_F(Check, NamesOfFilesThatTellAnotherStepAreNotes) {
+  const auto lines = [&](int first, int end) {
+    return joined({lines_.begin() + first * frame_lines, lines_.begin() + end * frame_lines});
+  };
+  folder_.write("set.00000", lines(0, 1));
+  folder_.write("set.90", lines(1, 3));
+  folder_.write("set.300", lines(3, 5));
+  const CheckResult result = check_dump(folder_.path() / "set.*");
+  EXPECT_EQ(told(result), (std::vector<Told>{{"file_step", header_lines, 1}}));
+  EXPECT_EQ(result.faults.count(Severity::error), 0u);
+  EXPECT_EQ(result.faults.kept()[0].what, "the first step is 100, the file's name says 90");
+  EXPECT_EQ(result.faults.kept()[0].file, (folder_.path() / "set.90").string());
+  EXPECT_EQ(told(check_dump(folder_.path() / "set.90")), std::vector<Told>{});
 }
 
 TEST_F(Check, PiecesOfAFrame) {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kernel that this processor supports finds the same columns and gives the bits of
 // std::from_chars.
-#include <bit>
-#include <charconv>
-#include <random>
-
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "readers/frame.hpp"
-#include "readers/line_kernel.hpp"
-#include "readers/line_reader.hpp"
+#include "tests/readers/number_lines.hpp"
 
 namespace mdana {
 namespace {
+
+using test::lead;
+using test::padded;
+using test::same_bits;
 
 class Kernels : public ::testing::TestWithParam<const LineKernel*> {
  protected:
@@ -22,86 +19,14 @@ class Kernels : public ::testing::TestWithParam<const LineKernel*> {
   }
 };
 
-/// Kinds of numbers that dumps hold, and some that try the limits of exact conversion.
-std::string token(std::mt19937_64& random) {
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
-  const double any = std::bit_cast<double>(random());
-  switch (random() % 12) {
-    case 0: return fmt::format("{:.10g}", uniform(-100, 100));
-    case 1: return fmt::format("{:.10g}", uniform(-1e-3, 1e-3));
-    case 2: return fmt::format("{:.6g}", uniform(-1, 1));
-    case 3: return fmt::format("{:.8f}", uniform(-1e4, 1e4));
-    case 4: return fmt::format("{:.17g}", uniform(-30, 30));
-    case 5: return fmt::format("{:.16g}", any);
-    case 6: return fmt::format("{:.17g}", any);
-    case 7: return fmt::format("{}", static_cast<std::int64_t>(random() >> (random() % 60 + 4)));
-    case 8: return fmt::format("{:e}", any);
-    case 9: return fmt::format("{}.{}", random() % 100000000, random() % 10000000);
-    case 10: return fmt::format("{}e{}", random() % (1ull << 54), static_cast<int>(random() % 60) - 30);
-    default: return fmt::format("{:.0f}.", uniform(-1e15, 1e15));
-  }
-}
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-/// The text with the bytes before and behind that kernels may read; begins at `lead`.
-constexpr std::size_t lead = LineReader::lead;
-std::string padded(const std::string& text, char filling) {
-  return std::string(lead, filling) + text + std::string(Chunk::padding, filling);
-}
-
-/// Lines of numbers with the padding that kernels may read.
-struct Text {
-  std::vector<std::string> tokens;
-  std::string text;
-
-  Text(std::mt19937_64& random, std::size_t lines, std::size_t columns) {
-    for (std::size_t i = 0; i < lines; ++i) {
-      for (std::size_t k = 0; k < columns; ++k) {
-        tokens.push_back(token(random));
-        text += tokens.back() + " ";
-      }
-      text += "\n";
-    }
-    text = padded(text, 'x');
-  }
-};
-
 TEST_P(Kernels, GiveTheBitsOfFromChars) {
   std::mt19937_64 random(1);
-  const LineKernel& kernel = *GetParam();
-  constexpr std::size_t columns = 5;
-  const LineShape shape{columns, {0, 1, 2, 3, 4}};
-  std::vector<TokenBatch> batches(columns);
-  std::array<double, TokenBatch::capacity> values;
-  std::size_t tried = 0, left = 0;
-  for (int repeat = 0; repeat < 7000; ++repeat) {
-    const Text text(random, TokenBatch::capacity, columns);
-    const auto scanned = kernel.scan(text.text.data() + lead, TokenBatch::capacity, shape, batches.data());
-    ASSERT_EQ(scanned.lines, TokenBatch::capacity) << text.text;
-    for (std::size_t k = 0; k < columns; ++k) {
-      const std::uint64_t failed =
-          kernel.reals(text.text.data() + lead, batches[k], scanned.lines, values.data());
-      for (std::size_t i = 0; i < scanned.lines; ++i, ++tried) {
-        const std::string& t = text.tokens[i * columns + k];
-        double expected = 0;
-        const auto [stop, error] = std::from_chars(t.data(), t.data() + t.size(), expected);
-        if (error == std::errc::result_out_of_range) expected = std::strtod(t.c_str(), nullptr);
-        if (std::isnan(expected)) continue;  // nan has many bits
-        if (failed >> i & 1) {  // left to the exact fallback
-          ++left;
-          continue;
-        }
-        ASSERT_TRUE(same_bits(values[i], expected)) << t << " " << values[i] << " " << expected;
-      }
-    }
-  }
-  EXPECT_GT(tried, 2'000'000u);
-  EXPECT_LT(left, tried / 2);
+  test::KernelScore score;
+  for (int repeat = 0; repeat < 7000 && score.wrong.empty(); ++repeat)
+    score.add(*GetParam(), test::NumberLines(random));
+  EXPECT_EQ(score.wrong, "");
+  EXPECT_GT(score.tried, 2'000'000u);
+  EXPECT_TRUE(score.many_converted()) << score.left;
 }
 
 TEST_P(Kernels, RoundHalfwayCasesAndLimitsCorrectly) {
