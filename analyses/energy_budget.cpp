@@ -119,6 +119,7 @@ EnergyBudget energy_budget(const EnergyCurve& energy, const ForceCurve& curve,
   budget.K_t_share = ratio(budget.delta_K_t, size(budget.delta_K_p));
   budget.W_share = ratio(budget.delta_W, size(budget.delta_K_p));
   budget.converted = ratio(sum(budget.delta_K_t, budget.delta_W), budget.K_p_initial);
+  budget.across = ratio(change(energy.K_p_across), budget.K_p_initial);
   budget.restitution = restitution(curve, windows);
   const Value& e = budget.restitution;
   budget.one_minus_e2 = {1 - e.value * e.value, {}, dimension::none};

@@ -40,7 +40,8 @@ struct EnergyBudget {
   Value energy_drift;        ///< change of K_p + K_t + W over K_p_initial
   Value converted;           ///< (delta_K_t + delta_W) / K_p_initial
   Value restitution;         ///< e by the approach speeds; 0 if the bodies stick, NaN if unresolved
-  Value one_minus_e2;        ///< what `converted` should be
+  Value across;              ///< change of K_p across the centre line over K_p_initial
+  Value one_minus_e2;        ///< should be converted - energy_drift + across
   std::array<Value, 2> temperature_before, temperature_after;
 };
 EnergyBudget energy_budget(const EnergyCurve& energy, const ForceCurve& curve,

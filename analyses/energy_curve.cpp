@@ -39,8 +39,10 @@ void add_translation(EnergyCurve& curve, const Table& motion, double factor) {
     for (std::size_t b = 0; b < 2; ++b)
       curve.K_p[b].push_back(0.5 * factor * body[b].mass * body[b].velocity.squaredNorm());
     const double reduced = body[0].mass * (body[1].mass / (body[0].mass + body[1].mass));
-    curve.K_p_rel.push_back(0.5 * factor * reduced *
-                            (body[1].velocity - body[0].velocity).squaredNorm());
+    const Eigen::Vector3d v = body[1].velocity - body[0].velocity;
+    const Eigen::Vector3d line = (body[1].position - body[0].position).stableNormalized();
+    curve.K_p_rel.push_back(0.5 * factor * reduced * v.squaredNorm());
+    curve.K_p_across.push_back(0.5 * factor * reduced * (v - line * line.dot(v)).squaredNorm());
   }
 }
 

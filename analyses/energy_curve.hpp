@@ -14,6 +14,7 @@ namespace mdana {
 struct EnergyCurve {
   std::array<std::vector<double>, 2> K_p;          ///< M V^2/2, in the frame of the dump
   std::vector<double> K_p_rel;                     ///< m* |V2 - V1|^2/2, in that of the pair
+  std::vector<double> K_p_across;                  ///< part of K_p_rel across the centre line
   std::array<std::vector<double>, 2> K_t;          ///< about the centre of mass, rotation included
   std::array<std::vector<double>, 2> rotation;     ///< part of K_t that is rotation as a rigid body
   std::array<std::vector<double>, 2> temperature;  ///< of K_t less rotation; NaN without freedom

@@ -92,6 +92,7 @@ void add_budget(Document& document, const EnergyBudget& budget) {
   document.number("energy.delta_rotation", budget.delta_rotation);
   document.number("energy.K_t_share", budget.K_t_share);
   document.number("energy.restitution", budget.restitution);
+  document.number("energy.across", budget.across);
   document.number("energy.one_minus_e2", budget.one_minus_e2);
   if (!std::isnan(budget.delta_W.value)) add_conversion(document, budget);
   add_temperatures(document, budget);

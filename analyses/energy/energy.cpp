@@ -10,6 +10,7 @@
 
 #include "analyses/block_means.hpp"
 #include "analyses/compensated.hpp"
+#include "analyses/energy/mean_vector.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -22,12 +23,13 @@ constexpr std::size_t bodies = 2;
 constexpr double least_inertia = 1e-12;
 
 /// Sums over the atoms of one body about its own means: merged as Moments are (Chan, Golub &
-/// LeVeque 1983), so that a drift of 1e7 thermal speeds costs no digit of what is thermal.
+/// LeVeque 1983), with the rounding of the means kept, so that a drift of 1e7 thermal speeds costs no
+/// digit of what is thermal.
 struct BodySums {
   std::uint64_t count = 0;
   double mass = 0;
-  Eigen::Vector3d x = Eigen::Vector3d::Zero();       ///< mean position [length]
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();       ///< mean velocity [velocity]
+  MeanVector x;                                      ///< position [length]
+  MeanVector v;                                      ///< velocity [velocity]
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< sum of m dx dx^T
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();    ///< angular momentum, sum of m dx cross dv
   double heat = 0;                                   ///< sum of m |dv|^2
@@ -40,6 +42,13 @@ struct BodySums {
     heat += m * dv.squaredNorm();
   }
 
+  /// `dx` and `dv` are from `high` of the means.
+  void add_atom(double m, const Eigen::Vector3d& dx, const Eigen::Vector3d& dv) {
+    add(m, dx, dv);
+    x.low += m / mass * dx;
+    v.low += m / mass * dv;
+  }
+
   void merge(const BodySums& other) {
     potential.merge(other.potential);
     if (other.count == 0) return;
@@ -47,9 +56,15 @@ struct BodySums {
     spread += other.spread;
     spin += other.spin;
     heat += other.heat;
-    add(mass * share, other.x - x, other.v - v);  // nothing if this one is empty
-    x = count == 0 ? other.x : Eigen::Vector3d(x + share * (other.x - x));
-    v = count == 0 ? other.v : Eigen::Vector3d(v + share * (other.v - v));
+    const Eigen::Vector3d dx = other.x.minus(x), dv = other.v.minus(v);
+    add(mass * share, dx, dv);  // nothing if this one is empty
+    if (count == 0) {
+      x = other.x;
+      v = other.v;
+    } else {
+      x.move(share * dx);
+      v.move(share * dv);
+    }
     mass = total;
     count += other.count;
   }
@@ -87,12 +102,12 @@ class EnergyPartial final : public Partial {
     const std::array<double, bodies> mass{body_[0].mass, body_[1].mass};
     const auto mean_x = block_means(x, block, mass), mean_v = block_means(v, block, mass);
     for (std::size_t b = 0; b < bodies; ++b) {
-      body_[b].x = mean_x[b];
-      body_[b].v = mean_v[b];
+      body_[b].x.high = mean_x[b];
+      body_[b].v.high = mean_v[b];
     }
     for (std::size_t i = 0; i < block.body.size(); ++i)
       if (BodySums* body = body_of(block, i))
-        body->add(block.mass[i], x[i] - body->x, v[i] - body->v);
+        body->add_atom(block.mass[i], x[i] - body->x.high, v[i] - body->v.high);
     if (!potential_.empty()) add_potential(block);
   }
 

@@ -16,6 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr std::array<BodyIndex, 2> both{1, 2};
+
 struct Atom {
   BodyIndex body;
   double mass;
@@ -68,11 +70,11 @@ EnergyCurve energies(const std::vector<Atom>& atoms, Units units = Units::lj,
 std::vector<Atom> balls(std::size_t atoms_a_body) {
   std::mt19937_64 random(3);
   std::uniform_int_distribution<int> number(-1023, 1023);
-  const auto vector = [&] {
+  const auto vector = [&]() -> Vector3d {
     return Vector3d(number(random), number(random), number(random)) * 0x1p-10;
   };
   std::vector<Atom> atoms;
-  for (const BodyIndex b : {1, 2})
+  for (const BodyIndex b : both)
     for (std::size_t i = 0; i < atoms_a_body; ++i)
       atoms.push_back({b, i % 3 ? 1.0 : 2.0, vector(), vector()});
   return atoms;
@@ -80,7 +82,7 @@ std::vector<Atom> balls(std::size_t atoms_a_body) {
 
 /// Turns every body with w about its centre of mass.
 void turn(std::vector<Atom>& atoms, const Vector3d& w, const Vector3d& drift) {
-  for (const BodyIndex b : {1, 2}) {
+  for (const BodyIndex b : both) {
     Vector3d sum = Vector3d::Zero();
     double mass = 0;
     for (const Atom& a : atoms)
@@ -91,8 +93,8 @@ void turn(std::vector<Atom>& atoms, const Vector3d& w, const Vector3d& drift) {
 }
 
 // 2^23 = 8e6 times the thermal speed: velocities are whole numbers of 2^-10 below 2^24, which doubles
-// hold, so that all digits can be asked for. The means are rounded to 2^-29 of a thermal speed,
-// and that is squared; what is left is rounding of the sums.
+// hold, so that all digits can be asked for. A mean rounded to a double is known to 2^-29
+// thermal speeds only, and 72 blocks are merged; what is left must be the rounding of the sums.
 TEST(Energy, DriftLeavesThermalEnergyAndRotation) {
   const auto rest = balls(500);
   auto moving = rest;

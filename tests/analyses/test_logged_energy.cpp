@@ -25,7 +25,7 @@ std::string table(const std::string& head, const std::string& rows) {
   return head + "\n" + rows + "Loop time of 1 on 1 procs for 1 steps with 10 atoms\n";
 }
 
-const std::string two_rows = table("Step KinEng PotEng", "0 20 -700.25\n10 10 -690.25\n");
+const std::string two_rows = table("Step KinEng PotEng", "0 20.000 -700.25\n10 10.000 -690.25\n");
 
 TEST(LoggedEnergy, IsJoinedByTheStep) {
   const LoggedEnergy e = joined(two_rows, {0, 5, 10}, {20, 15, 10}, 10);
@@ -46,7 +46,7 @@ TEST(LoggedEnergy, PerAtomIsTold) {
 
 // The default of LAMMPS, thermo_style one: 2 is -7 - 1 + 10.
 TEST(LoggedEnergy, OfTheDefaultColumns) {
-  const std::string lines = table("Step Temp E_pair E_mol TotEng Press", "0 1 -7 -1 -6 0\n");
+  const std::string lines = table("Step Temp E_pair E_mol TotEng Press", "0 1 -7.0000 -1.0000 -6.0000 0\n");
   EXPECT_EQ(joined(lines, {0}, {2}, 10).potential, (std::vector<double>{-8}));
   EXPECT_EQ(joined(lines, {0}, {20}, 10).potential, (std::vector<double>{-80}));
 }
