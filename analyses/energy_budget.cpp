@@ -32,10 +32,6 @@ Value difference(const Value& after, const Value& before) {
   return {after.value - before.value, together(after.error, before.error), after.dimension};
 }
 
-Value sum(const Value& a, const Value& b) {
-  return {a.value + b.value, together(a.error, b.error), a.dimension};
-}
-
 /// a/b, errors as of independent numbers; NaN if b is zero.
 Value ratio(const Value& a, const Value& b) {
   if (!(std::abs(b.value) > 0)) return {nan, {}, dimension::none};
@@ -52,7 +48,7 @@ Value size(Value value) {
 
 /// e = speed after / speed before, along the centre line.
 Value restitution(const ForceCurve& curve, const EnergyWindows& windows) {
-  if (curve.outcome == Outcome::stick) return {0, 0, dimension::none};
+  if (curve.outcome == Outcome::stick) return {0, {}, dimension::none};
   if (curve.outcome == Outcome::unresolved || curve.speed.empty()) return {nan, {}, dimension::none};
   return ratio(size(window_mean(curve.speed, windows.after, dimension::velocity)),
                size(window_mean(curve.speed, windows.before, dimension::velocity)));
@@ -67,12 +63,19 @@ EnergyWindow window_after(const ForceCurve& curve) {
   return {std::max(curve.cycles.front().turn, frames - std::min(wanted, frames)), frames};
 }
 
+/// K_t + W of every frame: what one of them gives the other, as vibrations do, is not seen in it.
+std::vector<double> internal(const EnergyCurve& energy) {
+  std::vector<double> result = energy.W_total;
+  const std::vector<double> thermal = energy.thermal();
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += thermal[i];
+  return result;
+}
+
 /// Besides the scatter within the windows: the digits of the potential energy, and the change of the
 /// total energy, of which it cannot be said where it went.
-void widen_potential(EnergyBudget& budget, double rounding) {
-  if (budget.delta_W.error)
-    budget.delta_W.error = std::hypot(*budget.delta_W.error, rounding,
-                                      budget.energy_drift.value * budget.K_p_initial.value);
+Value widened(Value value, double rounding, double drift) {
+  if (value.error) value.error = std::hypot(*value.error, rounding, drift);
+  return value;
 }
 
 }  // namespace
@@ -113,12 +116,13 @@ EnergyBudget energy_budget(const EnergyCurve& energy, const ForceCurve& curve,
   budget.delta_K_p = change(energy.K_p_rel);
   budget.delta_K_t = change(energy.thermal());
   budget.delta_rotation = change(energy.total_rotation());
-  budget.delta_W = change(energy.W_total);
-  budget.energy_drift = ratio(change(energy.total()), budget.K_p_initial);
-  widen_potential(budget, energy.W_rounding);
+  const Value drift = change(energy.total());
+  budget.delta_W = widened(change(energy.W_total), energy.W_rounding, drift.value);
+  budget.energy_drift = ratio(drift, budget.K_p_initial);
   budget.K_t_share = ratio(budget.delta_K_t, size(budget.delta_K_p));
   budget.W_share = ratio(budget.delta_W, size(budget.delta_K_p));
-  budget.converted = ratio(sum(budget.delta_K_t, budget.delta_W), budget.K_p_initial);
+  budget.converted = ratio(
+      widened(change(internal(energy)), energy.W_rounding, drift.value), budget.K_p_initial);
   budget.across = ratio(change(energy.K_p_across), budget.K_p_initial);
   budget.restitution = restitution(curve, windows);
   const Value& e = budget.restitution;
