@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "analyses/block_means.hpp"
 #include "analyses/compensated.hpp"
 #include "analyses/moments.hpp"
 #include "readers/input_error.hpp"
@@ -13,32 +14,6 @@ namespace mdana {
 namespace {
 
 constexpr std::size_t bodies = 2;
-
-/// Three columns of a block as one array of vectors.
-struct VectorColumn {
-  std::span<const double> x, y, z;
-  VectorColumn(const AtomBlock& block, std::array<const char*, 3> names)
-      : x(block.real(names[0])), y(block.real(names[1])), z(block.real(names[2])) {}
-  Eigen::Vector3d operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-};
-
-/// Weighted means of a vector column for every body: twice over the block, the second time about
-/// the first mean, which leaves no rounding that grows with the number of atoms.
-std::array<Eigen::Vector3d, bodies> means(const VectorColumn& column, const LabelledBlock& block,
-                                          const std::array<double, bodies>& mass) {
-  std::array<Eigen::Vector3d, bodies + 1> mean, sum;
-  mean.fill(Eigen::Vector3d::Zero());
-  for (int pass = 0; pass < 2; ++pass) {
-    sum.fill(Eigen::Vector3d::Zero());
-    for (std::size_t i = 0; i < block.body.size(); ++i) {
-      const BodyIndex b = block.body[i];
-      if (b <= bodies) sum[b] += block.mass[i] * (column[i] - mean[b]);
-    }
-    for (std::size_t b = 1; b <= bodies; ++b)
-      if (mass[b - 1] > 0) mean[b] += sum[b] / mass[b - 1];
-  }
-  return {mean[1], mean[2]};
-}
 
 struct BodyPartial {
   Moments<3> position;
@@ -53,10 +28,10 @@ class MotionPartial final : public Partial {
   void add(const LabelledBlock& block) override {
     weigh(block);
     const std::array<double, bodies> mass{body_[0].position.weight, body_[1].position.weight};
-    const auto x = means({block.atoms, {"x", "y", "z"}}, block, mass);
+    const auto x = block_means({block.atoms, {"x", "y", "z"}}, block, mass);
     for (std::size_t b = 0; b < bodies; ++b) body_[b].position.mean = x[b];
     if (parts_.velocity) {
-      const auto v = means({block.atoms, {"vx", "vy", "vz"}}, block, mass);
+      const auto v = block_means({block.atoms, {"vx", "vy", "vz"}}, block, mass);
       for (std::size_t b = 0; b < bodies; ++b) {
         body_[b].velocity = body_[b].position;
         body_[b].velocity.mean = v[b];

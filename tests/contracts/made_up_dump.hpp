@@ -19,6 +19,7 @@ struct MadeUpAtom {
   int mol = 0;
   double mass = 1;
   Eigen::Vector3d x{0, 0, 0}, v{0, 0, 0}, f{0, 0, 0};
+  double pe = 0;  ///< potential energy
 };
 
 struct MadeUpFrame {
@@ -42,6 +43,7 @@ inline std::vector<MadeUpAtom> ball(std::mt19937_64& random, int type, std::size
     atom.x = centre + radius * p;
     atom.v = drift + 1e-3 * vector();
     atom.f = 10 * vector();
+    atom.pe = atom.f.x() - 7;
     made.push_back(atom);
   }
   return made;
@@ -93,7 +95,7 @@ inline std::string dump_text(const MadeUpFrame& frame) {
   text += "ITEM: TIMESTEP\n" + std::to_string(frame.step) + "\nITEM: NUMBER OF ATOMS\n" +
           std::to_string(frame.atoms.size()) +
           "\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
-          "ITEM: ATOMS id type mol mass x y z vx vy vz fx fy fz\n";
+          "ITEM: ATOMS id type mol mass x y z vx vy vz fx fy fz c_pe\n";
   for (const MadeUpAtom& atom : frame.atoms) {
     text +=
         std::to_string(atom.id) + " " + std::to_string(atom.type) + " " + std::to_string(atom.mol);
@@ -101,6 +103,7 @@ inline std::string dump_text(const MadeUpFrame& frame) {
     print(text, atom.x);
     print(text, atom.v);
     print(text, atom.f);
+    print(text, atom.pe);
     text += "\n";
   }
   return text;

@@ -72,6 +72,7 @@ struct Factors {
         atom.x *= length;
         atom.v *= length / time;
         atom.f *= mass * length / (time * time);
+        atom.pe *= mass * length * length / (time * time);
       }
     }
     return frames;

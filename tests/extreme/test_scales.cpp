@@ -30,6 +30,7 @@ TEST(Scales, NanoparticlesInSi) {
                                                          a.mass *= 1e-26;
                                                          a.v *= 1e3;
                                                          a.f *= 1e-11;
+                                                         a.pe *= 1e-20;
                                                        }),
                                                test::made_up_scene(1e-9));
   test::for_all_values(plain, si, [](const ColumnSpec& column, double a, double b) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/energy.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/measured_energy.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+void add_options(Options& options) {
+  add_run_options(options);
+  options.add_options()                                              //
+      ("potential", po::value<std::string>()->value_name("COLUMN"),
+       "column of the potential energies of atoms (default: c_pe, c_peatom or pe, if there is "
+       "exactly one)")                                               //
+      ("log", po::value<std::string>()->value_name("FILE"),
+       "take the potential energy from this log of LAMMPS instead, by the step");
+  add_output_options(options, true);
+}
+
+PotentialOptions potential_options(const Values& values) {
+  PotentialOptions options;
+  if (values.count("potential")) options.column = values["potential"].as<std::string>();
+  if (values.count("log")) options.log = values["log"].as<std::string>();
+  if (values.count("potential") && values.count("log"))
+    throw UsageError("--potential and --log: give one of them");
+  return options;
+}
+
+int run_command(const Values& values) {
+  check_output(values, true);
+  const PotentialOptions potential = potential_options(values);
+  const RunOptions options = run_options(values);
+  const SweepOptions sweeping = sweep_options(values);
+  const Run run = prepare_run(options);
+  require_two_bodies(run);
+  const MotionParts parts = parts_for_energy(run);
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_energy(choose_potential(run, potential).column));
+  const Radii radii = find_radii(run, options);
+  const MeasuredMotion measured = measure_motion(run, parts, std::move(analyses), sweeping);
+  const MeasuredEnergy energy =
+      measure_energy(run, measured, measured.swept.tables[1], radii, potential);
+
+  Document document("energy", run);
+  document.sweep(measured.swept, run.format);
+  add_energy(document, energy);
+  const Table table = energy_table(energy.curve, measured.motion.steps, measured.motion.times);
+  return emit(values, document, &table);
+}
+
+}  // namespace
+
+extern const Command energy_command;
+const Command energy_command{
+    "energy",
+    "DUMP",
+    "where the kinetic energy of the bodies goes: heat, rotation, potential energy",
+    "Translation K_p, thermal kinetic energy K_t about the centres of mass, its part in rotation,\n"
+    "temperature of each body, potential energy W; what the collision changed of them, shares of\n"
+    "|delta K_p|, drift of the total energy. The table (-o FILE.csv) has a row a frame.",
+    "  mdana energy sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
+    "  mdana energy run/dump.lammpstrj.gz --log run/log.lammps -o energy.csv\n"
+    "  mdana energy run/dump.lammpstrj.gz --potential c_pe --json",
+    add_options,
+    run_command};
+
+}  // namespace mdana::cli
