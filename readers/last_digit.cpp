@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "readers/positions.hpp"
+#include "readers/trajectory.hpp"
 
 namespace mdana {
 namespace {
@@ -96,6 +97,32 @@ void move_last_digits(const Chunk& chunk, const FrameHeader& header, const Colum
     const auto values = block.make_real(column);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += moves(i, values[i]);
   }
+}
+
+double rounding_of(const std::filesystem::path& dump, const std::string& column) {
+  FrameHeader header;
+  if (!open_trajectory(dump, {})->next(header)) return 0;
+  std::string printed_as = column;
+  double length = 1;  // of one unit of the printed numbers
+  if (column == "x") {
+    const auto positions = position_source(header.columns);
+    if (!positions) return 0;
+    printed_as = positions->columns[0];
+    if (positions->scaled) length = header.box.edges.row(0).norm();
+  }
+  const auto source = open_trajectory(dump, {printed_as});
+  Chunk chunk;
+  if (!source->next(header) || !source->cut(chunk)) return 0;
+  const PrintedPrecision printed = chunk.layout->printed_precision(chunk, printed_as);
+  if (printed.digits == 0) return 0;
+  AtomBlock block;
+  convert(chunk, block);
+  double squares = 0;
+  for (const double value : block.real(printed_as)) {
+    const double unit = last_digit_unit(value, printed);
+    squares += unit * unit;
+  }
+  return length * std::sqrt(squares / (12 * static_cast<double>(block.atoms())));
 }
 
 }  // namespace mdana

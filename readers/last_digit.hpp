@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
 
 #include "readers/columns.hpp"
 #include "readers/frame_layout.hpp"
@@ -15,5 +17,10 @@ namespace mdana {
 /// are moved by the digits of the columns that they are made from.
 void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
                       std::uint64_t seed, AtomBlock& block);
+
+/// Standard deviation that rounding to the printed digits gives the numbers of a real column, by the
+/// first block of the dump; 0 if they are exact. For `x` of positions in the length unit, whatever
+/// columns they are made from. Throws InputError as reading does.
+double rounding_of(const std::filesystem::path& dump, const std::string& column);
 
 }  // namespace mdana

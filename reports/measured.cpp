@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
+#include "readers/last_digit.hpp"
 
 namespace mdana {
 
@@ -27,6 +29,10 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
     return relative_motion(measured.swept.tables[0], measured.swept.steps,
                            frame_times(run, measured.swept));
   });
+  const auto [a, b] = body_motion(measured.swept.tables[0], 0);
+  const double relative = std::sqrt(1 / a.atoms + 1 / b.atoms);
+  measured.motion.position_noise = relative * rounding_of(run.dump, "x");
+  if (parts.velocity) measured.motion.velocity_noise = relative * rounding_of(run.dump, "vx");
   return measured;
 }
 
