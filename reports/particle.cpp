@@ -91,6 +91,8 @@ std::string energy_column(const Run& run, const std::string& named) {
   std::vector<std::string> found;
   for (const std::string& column : run.first.columns)
     if (named.empty() ? column.starts_with("c_pe") : column == named) found.push_back(column);
+  if (found.size() == 1 && kind_of_column(found.front()) != ColumnKind::real)
+    throw InputError(fmt::format("{}: the column '{}' holds no energies", run.first.place, named));
   if (found.size() == 1) return found.front();
   throw InputError(fmt::format(
       "{}: {}; add --energy-column NAME or --energy U (the dump has {})", run.first.place,
@@ -114,8 +116,10 @@ Particle measure_particle(const Run& run, std::size_t body, const std::string& c
   particle.atoms = swept.front().tables[0].column("count" + b)[0];
   if (particle.atoms == 0)
     throw InputError(fmt::format("{}: body {} has no atoms in this frame", run.dump.string(), b));
-  if (!column.empty())
+  if (!column.empty()) {  // in a crystal all atoms' energies are rounded alike: N, not sqrt(N)
     particle.potential = with_digits(swept, 0, "potential" + b, dimension::energy);
+    *particle.potential->error *= std::sqrt(particle.atoms);
+  }
   if (parts.thermal) {
     particle.thermal = with_digits(swept, 0, "thermal" + b, dimension::energy);
     const double factor = force_per_mass_acceleration(run.units);
