@@ -22,6 +22,7 @@ inline constexpr Dimension velocity{0, 1, -1};
 inline constexpr Dimension force{1, 1, -2};
 inline constexpr Dimension energy{1, 2, -2};
 inline constexpr Dimension pressure{1, -1, -2};
+inline constexpr Dimension surface_energy{1, 0, -2};
 }  // namespace dimension
 
 }  // namespace mdana

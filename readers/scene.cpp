@@ -49,6 +49,13 @@ class Reader {
     return value;
   }
 
+  std::optional<bool> truth(std::string_view key) {
+    const toml::node* node = take(key);
+    if (!node) return std::nullopt;
+    if (!node->is_boolean()) fail(*node, key, "true or false is expected");
+    return *node->value<bool>();
+  }
+
   const toml::node* take(std::string_view key) {
     taken_.emplace_back(key);
     return table_.get(key);
@@ -145,7 +152,8 @@ Scene read(const toml::table& table, const std::filesystem::path& file) {
   read_interaction(reader, scene);
   scene.timestep = reader.positive("timestep");
   scene.sigma = reader.positive("sigma");
-  reader.ignore("cutoff");
+  scene.cutoff = reader.positive("cutoff");
+  scene.shift = reader.truth("shift");
   scene.bodies = reader.text("bodies");
   read_masses(reader, scene);
   read_bodies(reader, scene);

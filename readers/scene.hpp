@@ -26,6 +26,8 @@ struct Scene {
   Interaction interaction = Interaction::unknown;
   std::optional<double> timestep;            ///< [time] between steps
   std::optional<double> sigma;               ///< [length] scale of the potential
+  std::optional<double> cutoff;              ///< [length] of the potential
+  std::optional<bool> shift;                 ///< the potential is shifted to zero at the cutoff
   std::string bodies;                        ///< rule as for --bodies; empty: not stated
   std::map<std::int64_t, double> masses;     ///< [mass] by atom type
   std::vector<double> radii;                 ///< [length] of body 1, 2

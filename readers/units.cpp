@@ -68,6 +68,7 @@ std::string symbol(Units units, Dimension d) {
   if (d == dimension::velocity) return fmt::format("{}/{}", s.length, s.time);
   if (d == dimension::pressure)
     return units == Units::si ? "Pa" : fmt::format("{}/{}^3", s.energy, s.length);
+  if (d == dimension::surface_energy) return fmt::format("{}/{}^2", s.energy, s.length);
   return product(s, d);
 }
 

@@ -38,6 +38,13 @@ std::string to_text(const Value& v, Units units) {
   return fmt::format("{:.6g} ± {:.2g}{}", v.value, *v.error, tail);
 }
 
+Value in_si(const Value& v, const PhysicalUnits& material) {
+  const double unit = material.of(v.dimension);
+  Value si{v.value * unit, {}, v.dimension};
+  if (v.error) si.error = *v.error * unit;
+  return si;
+}
+
 nlohmann::ordered_json to_json(const Value& v) {
   nlohmann::ordered_json json;
   json["value"] = v.value;
@@ -69,11 +76,36 @@ Document::Document(std::string_view command, const Run& run) : Document(command)
   line("bodies", run.bodies.rule());
   line("masses", run.masses.source());
   warnings_ = run.warnings;
+  if (run.physical) physical(*run.physical);
 }
 
-void Document::number(std::string_view name, const Value& value) {
-  root_[pointer(name)] = mdana::to_json(value);
-  line(std::string(name), to_text(value, units_));
+void Document::physical(const PhysicalUnits& material) {
+  physical_ = material;
+  nlohmann::ordered_json json{{"name", material.name}, {"source", material.source}};
+  for (const auto& [what, d] : {std::pair{"mass", dimension::mass}, {"length", dimension::length},
+                                {"energy", dimension::energy}, {"time", dimension::time},
+                                {"velocity", dimension::velocity}, {"force", dimension::force},
+                                {"pressure", dimension::pressure},
+                                {"surface_energy", dimension::surface_energy}})
+    json[what] = {{"value", material.of(d)}, {"unit", symbol(Units::si, d)}};
+  root_["physical"] = std::move(json);
+  line("physical", fmt::format("{}: m {:.5g} kg, σ {:.5g} m, ε {:.5g} J, τ {:.5g} s", material.name,
+                               material.mass, material.length, material.energy, material.time()));
+}
+
+void Document::number(std::string_view name, const Value& value,
+                      const nlohmann::ordered_json& details) {
+  nlohmann::ordered_json json = mdana::to_json(value);
+  std::string text = to_text(value, units_);
+  if (physical_ && value.dimension != dimension::none) {
+    const Value si = in_si(value, *physical_);
+    json["si"] = mdana::to_json(si);
+    json["si"]["unit"] = symbol(Units::si, si.dimension);
+    if (!std::isnan(value.value)) text += fmt::format(" ({})", to_text(si, Units::si));
+  }
+  if (details.is_object()) json.update(details);
+  root_[pointer(name)] = std::move(json);
+  line(std::string(name), std::move(text));
 }
 
 void Document::text(std::string_view name, const std::string& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ namespace mdana {
 /// for NaN.
 std::string to_text(const Value& value, Units units);
 
+/// The value in SI; its dimension must not be none.
+Value in_si(const Value& value, const PhysicalUnits& material);
+
 /// The result of a command: one JSON document, and the same as lines for a terminal. A name with
 /// dots ("contact_radius.gyration.max") makes nested objects.
 class Document {
@@ -28,7 +32,8 @@ class Document {
   /// Besides, the units, scene, bodies and masses of a run, and its warnings.
   Document(std::string_view command, const Run& run);
 
-  void number(std::string_view name, const Value& value);       ///< {value, error}
+  /// {value, error}, in a material also {si: {value, error, unit}}; then the details, an object.
+  void number(std::string_view name, const Value& value, const nlohmann::ordered_json& details = {});
   void text(std::string_view name, const std::string& value);
   void json(std::string_view name, nlohmann::ordered_json value);  ///< not shown on a terminal
   void line(std::string label, std::string text);                  ///< shown on a terminal only
@@ -51,7 +56,10 @@ class Document {
   nlohmann::ordered_json content() const;
 
  private:
+  void physical(const PhysicalUnits& material);
+
   Units units_ = Units::lj;  ///< of the numbers
+  std::optional<PhysicalUnits> physical_;
   nlohmann::ordered_json root_;
   std::vector<std::pair<std::string, std::string>> lines_;
   std::vector<std::string> warnings_;

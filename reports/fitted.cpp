@@ -21,9 +21,8 @@ Value with_spread(const Value& value, const Spread& spread) {
   return {value.value, std::max(*value.error, spread.deviation), value.dimension};
 }
 
-nlohmann::ordered_json with_details(const Value& value, const Value& fitted, const Spread& spread,
-                                    std::size_t variants) {
-  auto json = to_json(value);
+nlohmann::ordered_json details(const Value& fitted, const Spread& spread, std::size_t variants) {
+  nlohmann::ordered_json json;
   json["standard_error"] = *fitted.error;
   json["spread"] = {{"min", spread.least},
                     {"max", spread.greatest},
@@ -60,11 +59,9 @@ void require_equal_bodies(const Run& run, const Table& motion, const Radii& radi
 void add_hertz(Document& document, const Run& run, const HertzResult& hertz) {
   const HertzSettings& s = hertz.fit.settings;
   const std::size_t variants = hertz.spread.variants.size();
-  document.line("E_star", to_text(hertz.modulus, run.units));
-  document.line("R", to_text(hertz.radius, run.units));
-  document.json("E_star", with_details(hertz.modulus, hertz.fit.modulus, hertz.spread.modulus,
-                                       variants));
-  document.json("R", with_details(hertz.radius, hertz.fit.radius, hertz.spread.radius, variants));
+  document.number("E_star", hertz.modulus,
+                  details(hertz.fit.modulus, hertz.spread.modulus, variants));
+  document.number("R", hertz.radius, details(hertz.fit.radius, hertz.spread.radius, variants));
   document.line("errors", fmt::format("spread over {} choices of method, range and phase; E_star "
                                       "{:.4g} to {:.4g}, R {:.6g} to {:.6g}", variants,
                                       hertz.spread.modulus.least, hertz.spread.modulus.greatest,

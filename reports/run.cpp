@@ -80,6 +80,10 @@ Run prepare_run(const RunOptions& options) {
     throw InputError(fmt::format("{}: no position columns (x y z, xs, xu or xsu) in the dump; it has "
                                  "{}", first.place, fmt::join(first.columns, " ")));
   const StatedUnits units = find_units(options, first, scene);
+  if (options.physical && units.units != Units::lj)
+    throw InputError(fmt::format("{}: --physical tells what the units lj stand for, but these are {} "
+                                 "(by the {})", options.dump.string(), name(units.units),
+                                 units.source));
   std::vector<std::string> warnings;
   Masses masses = find_masses(options, first, scene, units.units, warnings);
   const bool own_rule = !options.bodies.empty();
@@ -90,7 +94,7 @@ Run prepare_run(const RunOptions& options) {
       options.timestep ? "option" : first.time ? "dump" : scene.timestep ? "scene" : "unknown";
   return {options.dump, format_of(options.dump), std::move(first), std::move(scene), units.units,
           units.source, timestep, timestep_source, std::move(masses), std::move(bodies),
-          options.selection, std::move(warnings)};
+          options.selection, std::move(warnings), options.physical};
 }
 
 void require_two_bodies(const Run& run) {

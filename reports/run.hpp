@@ -14,6 +14,7 @@
 #include "readers/bodies.hpp"
 #include "readers/input_error.hpp"
 #include "readers/masses.hpp"
+#include "readers/physical.hpp"
 #include "readers/scene.hpp"
 
 namespace mdana {
@@ -28,6 +29,7 @@ struct RunOptions {
   std::optional<std::array<double, 2>> radius;     ///< of body 1, 2 [length]
   std::optional<double> timestep;                  ///< [time]
   std::optional<Selection> selection;              ///< of atoms
+  std::optional<PhysicalUnits> physical;           ///< what the units lj stand for
 };
 
 /// A dump with everything that is needed to analyse it, and where each of it came from.
@@ -44,6 +46,7 @@ struct Run {
   Bodies bodies;
   std::optional<Selection> selection;
   std::vector<std::string> warnings;
+  std::optional<PhysicalUnits> physical;
 };
 
 /// Radii of body 1 and 2 and where they come from.

@@ -50,7 +50,7 @@ struct Command {
 std::span<const Command* const> commands();
 
 /// Options that say what a dump does not: --scene --units --masses --select --bodies --timestep; for a run
-/// --radius besides.
+/// --radius and --physical besides.
 void add_dump_options(Options& options);
 void add_run_options(Options& options);
 /// Throws UsageError at a value that cannot be understood.

@@ -95,7 +95,10 @@ void add_dump_options(Options& options) {
 void add_run_options(Options& options) {
   add_dump_options(options);
   options.add_options()("radius", po::value<std::string>()->value_name("R[,R2]"),
-                        "radius of the bodies, for delta (default: scene, else sqrt(5/3) r_g)");
+                        "radius of the bodies, for delta (default: scene, else sqrt(5/3) r_g)")(
+      "physical", po::value<std::string>()->value_name("MATERIAL"),
+      "give results in SI besides, with units lj that stand for argon, water, silver or "
+      "m=39.95g/mol,sigma=0.341nm,epsilon=10.32meV");
 }
 
 RunOptions run_options(const Values& values) try {
@@ -107,6 +110,7 @@ RunOptions run_options(const Values& values) try {
   if (values.count("bodies")) check_bodies_rule(options.bodies = text_of(values, "bodies"));
   if (values.count("select")) options.selection = Selection(text_of(values, "select"));
   if (values.count("radius")) options.radius = radius_option(text_of(values, "radius"));
+  if (values.count("physical")) options.physical = parse_physical(text_of(values, "physical"));
   if (values.count("timestep"))
     options.timestep = positive(values["timestep"].as<double>(), "timestep");
   return options;

@@ -32,6 +32,8 @@ units = "nano"
 interaction = "aggregate"
 timestep = 1e-5
 sigma = 2
+cutoff = 5
+shift = false
 bodies = "mol"
 [masses]
 1 = 1.5
@@ -55,6 +57,8 @@ anything = "else"
   EXPECT_EQ(scene.interaction, Interaction::aggregate);
   EXPECT_EQ(scene.timestep, 1e-5);
   EXPECT_EQ(scene.sigma, 2);
+  EXPECT_EQ(scene.cutoff, 5);
+  EXPECT_EQ(scene.shift, false);
   EXPECT_EQ(scene.bodies, "mol");
   EXPECT_EQ(scene.masses, (std::map<std::int64_t, double>{{1, 1.5}, {20, 3}}));
   EXPECT_EQ(scene.radii, (std::vector<double>{5, 6.5}));
@@ -87,6 +91,7 @@ TEST_F(SceneFile, UnknownKeysInTables) {
 
 TEST_F(SceneFile, WrongTypesAreErrors) {
   expect_error("name = 5", "name", "text in quotes");
+  expect_error("shift = \"yes\"", "shift", "true or false");
   expect_error("timestep = \"1\"", "timestep", "finite number");
   expect_error("timestep = true", "timestep", "finite number");
   expect_error("masses = 1", "masses", "a table is expected");

@@ -57,7 +57,9 @@ TEST(Units, SymbolsOfDerivedQuantities) {
   EXPECT_EQ(symbol(Units::metal, dimension::force), "eV/Å");
   EXPECT_EQ(symbol(Units::real, dimension::velocity), "Å/fs");
   EXPECT_EQ(symbol(Units::si, dimension::none), "");
-  EXPECT_EQ(symbol(Units::si, {1, 0, -2}), "kg s^-2");
+  EXPECT_EQ(symbol(Units::si, dimension::surface_energy), "J/m^2");
+  EXPECT_EQ(symbol(Units::lj, dimension::surface_energy), "ε/σ^2");
+  EXPECT_EQ(symbol(Units::si, {1, -3, 0}), "kg m^-3");
 }
 
 }  // namespace
