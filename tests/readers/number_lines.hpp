@@ -110,14 +110,14 @@ struct NumberLines {
   }
 };
 
-/// What a kernel made of numbers: all were converted to the bits that they must have, or left to the
-/// exact fallback, but for the `wrong` one.
+/// What a kernel made of numbers, and the exact fallback of those that were left to it: all have the
+/// bits that they must have, but for the `wrong` one.
 struct KernelScore {
   std::size_t tried = 0;
   std::size_t left = 0;
   std::string wrong;  ///< empty: none
 
-  /// Few of the kinds of numbers are beyond the kernels: a third at least must be within.
+  /// Many of the kinds of numbers are beyond a kernel, but a third at least must be within.
   bool many_converted() const { return left < tried - tried / 3; }
 
   void add(const LineKernel& kernel, const NumberLines& lines) {
@@ -143,9 +143,11 @@ struct KernelScore {
       const std::size_t at = first + i * NumberLines::columns;
       if (std::isnan(lines.reals[at])) continue;  // nan has many bits
       ++tried;
-      if (failed >> i & 1)
+      if (failed >> i & 1) {
         ++left;
-      else if (!same_bits(values[i], lines.reals[at]))
+        if (!parse_number(lines.numbers[at], values[i])) wrong = lines.numbers[at];
+      }
+      if (!same_bits(values[i], lines.reals[at]))
         wrong = fmt::format("{} became {}, not {}", lines.numbers[at], values[i], lines.reals[at]);
     }
   }
