@@ -38,8 +38,10 @@ std::span<const Definition> measured_definitions() {
   return std::span(definitions).first(with_patch ? 3 : 1);
 }
 
-/// Median distance to the nearest neighbour in the first frame.
-double first_spacing(const Run& run) {
+constexpr std::size_t spacing_sample = 20'000;  ///< atoms; enough for a median, quick to search
+
+/// Of the atoms of both bodies in the first frame.
+std::vector<Eigen::Vector3d> first_positions(const Run& run) {
   std::vector<Eigen::Vector3d> positions;
   ColumnSet wanted{"x", "y", "z"};
   wanted.add(run.bodies.columns());
@@ -51,6 +53,25 @@ double first_spacing(const Run& run) {
       if (body[i] == 1 || body[i] == 2) positions.emplace_back(x[i], y[i], z[i]);
   };
   for_first_frame(run.dump, wanted, take, run.selection);
+  return positions;
+}
+
+bool all_finite(const std::vector<Eigen::Vector3d>& positions) {
+  return std::all_of(positions.begin(), positions.end(),
+                     [](const Eigen::Vector3d& p) { return p.allFinite(); });
+}
+
+/// Median distance to the nearest neighbour in the first frame, of the atoms about the first one.
+double first_spacing(const Run& run) {
+  std::vector<Eigen::Vector3d> positions = first_positions(run);
+  if (positions.size() > spacing_sample && all_finite(positions)) {  // else refused below
+    const Eigen::Vector3d centre = positions.front();
+    std::nth_element(positions.begin(), positions.begin() + spacing_sample, positions.end(),
+                     [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+                       return (p - centre).squaredNorm() < (q - centre).squaredNorm();
+                     });
+    positions.resize(spacing_sample);
+  }
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(positions.size()));
   for (std::size_t i = 0; i < positions.size(); ++i)
     points.col(static_cast<Eigen::Index>(i)) = positions[i];

@@ -40,7 +40,8 @@ class BodyCells {
     return {std::floor(atom.position.x() / reach_), std::floor(atom.position.y() / reach_)};
   }
   static double distance(const ZoneAtom& a, const ZoneAtom& b) {
-    return std::hypot((a.position - b.position).norm(), a.height - b.height);
+    const double up = a.height - b.height;
+    return std::sqrt((a.position - b.position).squaredNorm() + up * up);
   }
 
   const std::vector<ZoneAtom>& atoms_;

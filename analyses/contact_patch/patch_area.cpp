@@ -40,24 +40,24 @@ std::vector<std::size_t> outermost_first(const Points& points) {
   return order;
 }
 
-/// Points kept so that no two are nearer than stacked_distance, at most one in a cell.
+/// Points kept so that no two are nearer than stacked_distance: four at most in a cell.
 class Unstacked {
  public:
   void offer(const Eigen::Vector2d& p) {
-    const double i = std::floor(p.x() / side), j = std::floor(p.y() / side);
-    for (double di = -2; di <= 2; ++di)
-      for (double dj = -2; dj <= 2; ++dj) {
-        const auto near = cell_.find({i + di, j + dj});
-        if (near != cell_.end() && (points_[near->second] - p).norm() < stacked_distance) return;
-      }
-    cell_.emplace(std::pair(i, j), points_.size());
+    const double i = std::floor(p.x() / stacked_distance), j = std::floor(p.y() / stacked_distance);
+    for (double row = i - 1; row <= i + 1; ++row) {
+      const auto end = cells_.upper_bound({row, j + 1});
+      for (auto at = cells_.lower_bound({row, j - 1}); at != end; ++at)
+        if ((points_[at->second] - p).squaredNorm() < stacked_distance * stacked_distance) return;
+    }
+    cells_.emplace(Cell(i, j), points_.size());
     points_.push_back(p);
   }
   Points take() { return std::move(points_); }
 
  private:
-  static constexpr double side = stacked_distance / std::numbers::sqrt2;
-  std::map<std::pair<double, double>, std::size_t> cell_;
+  using Cell = std::pair<double, double>;
+  std::multimap<Cell, std::size_t> cells_;
   Points points_;
 };
 

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The alpha and neighbours radii of contact-radius against scipy's Delaunay triangulation and k-d tree on the same
-frames, and discs and lenses of lattices whose area is known."""
+frames, and two balls of crystals that meet in a circle of known radius."""
 
 import math
-import unittest
+import sys
+from pathlib import Path
 
 import numpy as np
 
-import running
-from running import SAMPLE, Case
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+import dumps  # noqa: E402
+import running  # noqa: E402
+from running import SAMPLE, Case  # noqa: E402
 
 try:
     from scipy.spatial import Delaunay, cKDTree
 except ImportError:
     running.skip("no scipy (Debian: apt install python3-scipy)")
-
-import dumps
 
 CIRCUMRADIUS, STACKED = 1.5, 0.35  # in spacings, as contact_patch.md states
 
@@ -32,7 +33,7 @@ def unstacked(points):
 
 def area(points, spacing):
     """Bare area of the alpha shape plus the strip by Euler's formula: (B/2 + chi) mean cells."""
-    flat = unstacked(points / spacing)
+    flat = unstacked(points / spacing) if len(points) else points
     if len(flat) < 3:
         return 0.0
     corners = Delaunay(flat).simplices
