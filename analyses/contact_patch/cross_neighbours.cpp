@@ -26,7 +26,8 @@ class BodyCells {
   double nearest(const ZoneAtom& from, double enough) const {
     double least = std::numeric_limits<double>::infinity();
     const Cell c = cell(from);
-    for (double row = c.first - 1; row <= c.first + 1 && least > enough; ++row) {
+    for (const double side : {-1, 0, 1}) {
+      const double row = c.first + side;
       auto at = std::lower_bound(sorted_.begin(), sorted_.end(),
                                  std::pair(Cell(row, c.second - 1), std::size_t{0}));
       for (; at != sorted_.end() && at->first <= Cell(row, c.second + 1) && least > enough; ++at)

@@ -45,9 +45,9 @@ class Unstacked {
  public:
   void offer(const Eigen::Vector2d& p) {
     const double i = std::floor(p.x() / stacked_distance), j = std::floor(p.y() / stacked_distance);
-    for (double row = i - 1; row <= i + 1; ++row) {
-      const auto end = cells_.upper_bound({row, j + 1});
-      for (auto at = cells_.lower_bound({row, j - 1}); at != end; ++at)
+    for (const double side : {-1, 0, 1}) {
+      const auto end = cells_.upper_bound({i + side, j + 1});
+      for (auto at = cells_.lower_bound({i + side, j - 1}); at != end; ++at)
         if ((points_[at->second] - p).squaredNorm() < stacked_distance * stacked_distance) return;
     }
     cells_.emplace(Cell(i, j), points_.size());

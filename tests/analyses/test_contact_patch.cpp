@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "analyses/contact_patch.hpp"
+#include "analyses/motion.hpp"
 
 namespace mdana {
 namespace {
@@ -120,8 +121,37 @@ TEST(PatchArea, StrayAtomsChangeNothing) {
   std::mt19937_64 random(3);
   Points points = disc(planes[0], 5, random, 0);
   const double area = patch_area(points, 1).area;
-  for (const double x : {9.0, 20.0, 1e6}) points.emplace_back(x, 0.5);
+  for (const double x : {9.0, 20.0, 1e6, 1e18, 1e100}) points.emplace_back(x, 0.5);
   EXPECT_NEAR(patch_area(points, 1).area, area, 1e-12 * area);
+}
+
+// As everything else, cells of the search are counted in numbers that may be as large as they like.
+TEST(ContactPatch, NeighboursFarFromTheMiddle) {
+  for (const double far : {0.0, 1e6, 1e18, 1e100}) {
+    AtomBlock block;
+    block.reset(0, 8);
+    const auto x = block.make_real("x"), y = block.make_real("y"), z = block.make_real("z");
+    std::vector<BodyIndex> body;
+    for (std::size_t i = 0; i < 8; ++i) {
+      x[i] = (i % 2 ? 1 : 0) + far;
+      y[i] = i % 4 / 2 ? 1 : 0;
+      z[i] = i < 4 ? -0.5 : 0.5;
+      body.push_back(i < 4 ? 1 : 2);
+    }
+    std::array<BodyMotion, 2> motion;
+    motion[0].position = {0, 0, -4};
+    motion[1].position = {0, 0, 4};
+    const FrameHeader header;
+    const auto partial = make_contact_patch({{5, 5}, 0.5, 1, 1.2})->begin({header, motion});
+    partial->add({block, body, std::vector<double>(8, 1.0)});
+    std::array<double, 6> row{};
+    partial->close(row);
+    EXPECT_EQ(row[4], 4) << far;
+    EXPECT_EQ(row[5], 4) << far;
+    if (far < 1e7) {
+      EXPECT_NEAR(row[0], std::sqrt(4 / std::numbers::pi), 1e-9) << far;
+    }
+  }
 }
 
 // Too few for a triangle: no area, and the atoms' own as its error.
