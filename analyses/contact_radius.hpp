@@ -14,10 +14,10 @@ struct ContactRadiusSettings {
 };
 
 /// Contact radius a = sqrt(2) r_g of the atoms of both bodies within half_layer of the contact
-/// plane, r_g their radius of gyration within the plane (Yoshida, Kokubo & Tanaka 2024, Sec. IV A
-/// 4). The plane is normal to the centre line at (X^2 + R1^2 - R2^2)/(2X) from body 1. Zero while
-/// the layer holds no atoms of one of the bodies: they do not touch.
-/// Columns: contact_radius [length], layer_atoms1, layer_atoms2.
+/// plane (see analyses/contact_plane.hpp), r_g their radius of gyration within the plane (Yoshida,
+/// Kokubo & Tanaka 2024, Sec. IV A 4). Zero while the layer holds no atoms of one of the bodies:
+/// they do not touch. Its error covers some 95 %: see contact_radius.md.
+/// Columns: contact_radius, contact_radius_error [length], layer_atoms1, layer_atoms2.
 std::unique_ptr<Analysis> make_contact_radius(ContactRadiusSettings settings);
 
 }  // namespace mdana

@@ -3,8 +3,6 @@
 
 #include <chrono>
 
-#include "analyses/contact_radius.hpp"
-
 namespace mdana {
 namespace {
 
@@ -26,10 +24,12 @@ std::vector<NamedValue> AnalysedRun::numbers() const {
                               {"F_min_loading", curve.force_min_loading},
                               {"delta_max", curve.delta_max},
                               {"hysteresis_area", curve.hysteresis_area}};
-  if (contact.max.value > 0) {
-    all.push_back({"contact_radius.gyration.max", contact.max});
-    all.push_back({"contact_radius.gyration.at_delta_max", contact.at_delta_max});
-  }
+  if (contact.touch())
+    for (const ContactRadiusNumbers& n : contact.definitions) {
+      const std::string prefix = "contact_radius." + std::string(n.definition);
+      all.push_back({prefix + ".max", n.max});
+      all.push_back({prefix + ".at_delta_max", n.at_delta_max});
+    }
   if (hertz) {
     all.push_back({"E_star", hertz->modulus});
     all.push_back({"R", hertz->radius});
@@ -43,12 +43,12 @@ AnalysedRun analyse_run(const Run& run, const std::optional<Radii>& radii,
   AnalysedRun result;
   result.source = best_force_source(run);
   result.radii = radii ? *radii : find_radii(run, {});
-  std::vector<std::unique_ptr<Analysis>> analyses;
-  analyses.push_back(make_contact_radius({result.radii.value, half_layer(run, {})}));
-  result.measured = measure_motion(run, parts_for(result.source), std::move(analyses), options);
+  result.contact_setup = contact_setup(run, {});
+  result.measured = measure_motion(run, parts_for(result.source),
+                                   contact_analyses(result.radii, result.contact_setup), options);
   result.curve = touching_force_curve(run, result.measured.motion, result.source, result.radii);
-  result.contact = contact_radius_numbers(result.measured, result.contact_table());
   if (!radii && run.scene.interaction == Interaction::hertz) fit_and_take_radius(result, run);
+  result.contact = contact_numbers(result.measured, result.radii.sum());
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analyses/value.hpp"
+#include "reports/contact_numbers.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
 #include "reports/run.hpp"
@@ -24,7 +25,8 @@ struct AnalysedRun {
   ForceSource source = ForceSource::velocities;
   Radii radii;
   ForceCurve curve;
-  ContactRadiusNumbers contact;
+  ContactSetup contact_setup;
+  ContactNumbers contact;
   std::optional<HertzResult> hertz;  ///< of Hertz scenes
   double seconds = 0;                ///< reading, analyses and fits
 

@@ -50,16 +50,6 @@ ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, Fo
   return curve;
 }
 
-ContactRadiusNumbers contact_radius_numbers(const MeasuredMotion& measured, const Table& radii) {
-  const auto a = radii.column("contact_radius");
-  const std::vector<double> distance = measured.motion.distance();
-  const auto nearest = static_cast<std::size_t>(
-      std::min_element(distance.begin(), distance.end()) - distance.begin());
-  return {{*std::max_element(a.begin(), a.end()), {}, dimension::length},
-          {a[nearest], {}, dimension::length},
-          {a.back(), {}, dimension::length}};
-}
-
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii) {
   document.text("outcome", std::string(name(curve.outcome)));
@@ -96,14 +86,6 @@ void warn_of_force(Document& document, const ForceCurve& curve) {
                               curve.hysteresis_area.value, curve.kinetic_loss.value));
   if (curve.outcome == Outcome::unresolved)
     document.warn("the dump ends before the bodies separate or turn back: no outcome");
-}
-
-void add_contact_radius(Document& document, const ContactRadiusNumbers& numbers,
-                        double half_layer) {
-  document.number("contact_radius.gyration.max", numbers.max);
-  document.number("contact_radius.gyration.at_delta_max", numbers.at_delta_max);
-  document.number("contact_radius.gyration.end", numbers.end);
-  document.number("contact_radius.gyration.layer", {2 * half_layer, {}, dimension::length});
 }
 
 }  // namespace mdana

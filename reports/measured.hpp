@@ -28,21 +28,11 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
                                 const Radii& radii);
 
-/// Contact radius [length] of every frame: greatest, at greatest delta, at the end.
-struct ContactRadiusNumbers {
-  Value max, at_delta_max, end;
-};
-ContactRadiusNumbers contact_radius_numbers(const MeasuredMotion& measured, const Table& radii);
-
 /// Numbers and sources of a force curve under the names that other programs rely on.
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii);
 
 /// Warns where the numbers of a force curve do not mean what they seem to.
 void warn_of_force(Document& document, const ForceCurve& curve);
-
-/// The same names and numbers for the contact radius.
-void add_contact_radius(Document& document, const ContactRadiusNumbers& numbers,
-                        double half_layer);
 
 }  // namespace mdana

@@ -106,7 +106,7 @@ void list_left_out(StudyRun& entry) {
     case Interaction::unknown:
       out.push_back({"Hertz fit, overlays", "the scene does not state a hertz or adhesive interaction"});
   }
-  if (!(result.contact.max.value > 0))
+  if (!result.contact.touch())
     out.push_back({"contact radius", "the layer of one sigma never holds atoms of both bodies: under "
                                      "this load they keep farther apart"});
   if (result.curve.outcome != Outcome::bounce)
@@ -136,6 +136,9 @@ void analyse(const Study& study, StudyRun& entry, const SweepOptions& options,
   progress(entry.name + ": numerical stability");
   entry.stability = stability_rows(run, *entry.result, options);
   entry.warnings = run.warnings;
+  if (entry.result->contact.touch())
+    for (const std::string& w : contact_disagreements(entry.result->contact, run.units))
+      entry.warnings.push_back(w);
   if (!entry.result->measured.swept.damage.empty())
     entry.warnings.push_back("damaged input: " + entry.result->measured.swept.damage);
 }

@@ -95,7 +95,7 @@ Figure contact_figure(const StudyRun& entry) {
   figure.title = entry.name + ": contact radius";
   figure.y_label = axis("contact radius a", *entry.run, dimension::length);
   figure.alt = fmt::format("Contact radius against mutual approach, at most {:.4g}.",
-                           entry.result->contact.max.value);
+                           entry.result->contact.gyration().max.value);
   if (entry.overlay)
     figure.series.push_back(law_series(*entry.overlay, entry.overlay->law->contact_radius,
                                        least_delta_shown(entry.result->curve),
@@ -160,7 +160,7 @@ std::string file_name(const std::string& text) {
 
 std::vector<Figure> run_figures(const StudyRun& entry) {
   std::vector<Figure> figures{force_figure(entry)};
-  if (entry.result->contact.max.value > 0) figures.push_back(contact_figure(entry));
+  if (entry.result->contact.touch()) figures.push_back(contact_figure(entry));
   if (entry.result->hertz) {
     figures.push_back(fit_figure(entry));
     figures.push_back(residual_figure(entry));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/study_json.hpp"
 
-#include "analyses/contact_radius.hpp"
 #include "reports/version.hpp"
 
 namespace mdana {
@@ -36,7 +35,7 @@ nlohmann::ordered_json run_json(const StudyRun& entry) {
   document.json("name", entry.name);
   document.sweep(result.measured.swept, entry.run->format);
   add_force(document, result.curve, result.source, result.radii);
-  add_contact_radius(document, result.contact, half_layer(*entry.run, {}));
+  add_contact_radius(document, result.contact, result.contact_setup);
   if (result.hertz) add_hertz(document, *entry.run, *result.hertz);
   if (entry.overlay)
     document.json("overlay", {{"law", entry.overlay->law->name}, {"source", entry.overlay->source}});

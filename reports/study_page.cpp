@@ -45,7 +45,7 @@ std::string summary_table(const Study& study) {
     rows.push_back({entry.name, std::string(name(entry.run->scene.interaction)),
                     std::string(name(r.curve.outcome)), to_text(r.curve.force_max, units),
                     to_text(r.curve.delta_max, units), to_text(r.curve.hysteresis_area, units),
-                    to_text(r.contact.max, units),
+                    to_text(r.contact.gyration().max, units),
                     r.hertz ? to_text(r.hertz->modulus, units) : "left out",
                     r.hertz ? to_text(r.hertz->radius, units) : "left out"});
   }

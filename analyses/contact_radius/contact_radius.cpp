@@ -1,38 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/contact_radius.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include <Eigen/Geometry>
-#include <fmt/format.h>
-
+#include "analyses/contact_plane.hpp"
 #include "analyses/moments.hpp"
-#include "analyses/motion.hpp"
-#include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
 
-/// A plane with two axes in it.
-struct Plane {
-  Eigen::Vector3d point, normal, u, v;
+/// The atoms of a layer: their moments within the plane, and how many are of which body.
+struct Layer {
+  Moments<2> moments;
+  std::array<std::uint64_t, 2> atoms{};
 
-  Plane(const BodyMotion& body1, const BodyMotion& body2, const std::array<double, 2>& radius,
-        const std::string& place) {
-    const Eigen::Vector3d line = body2.position - body1.position;
-    const double x = line.norm();
-    if (!(x > 0)) throw InputError(fmt::format("{}: the bodies' centres coincide", place));
-    normal = line / x;
-    const double from_body1 = 0.5 * (x + (radius[0] - radius[1]) * ((radius[0] + radius[1]) / x));
-    point = body1.position + from_body1 * normal;
-    u = normal.unitOrthogonal();
-    v = normal.cross(u);
+  void add(BodyIndex body, const Eigen::Vector2d& position) {
+    moments.merge({1, 1.0, position, 0});
+    ++atoms[body - 1];
+  }
+  void merge(const Layer& later) {
+    moments.merge(later.moments);
+    for (std::size_t b = 0; b < 2; ++b) atoms[b] += later.atoms[b];
+  }
+  bool touch() const { return atoms[0] > 0 && atoms[1] > 0; }
+  double radius() const {
+    return touch() ? std::sqrt(2.0 * (moments.spread / moments.weight)) : 0.0;
   }
 };
 
+constexpr std::array<double, 3> thickness{1, 0.5, 2};  ///< of the layers, in that of the first
+
+/// Twice the standard error a/sqrt(12 n) of a from n atoms strewn over a disk, and half the jump of
+/// a when one more ring of 2 sqrt(pi n) atoms enters at r = a: a/4 of the ring's share of the atoms.
+double counting_error(double a, double n) {
+  const double ring = 2 * std::sqrt(std::numbers::pi * n);
+  return a * std::hypot(1 / std::sqrt(3 * n), 0.25 * ring / (n + ring));
+}
+
 class ContactRadiusPartial final : public Partial {
  public:
-  ContactRadiusPartial(const Plane& plane, double half_layer)
+  ContactRadiusPartial(const ContactPlane& plane, double half_layer)
       : plane_(plane), half_layer_(half_layer) {}
 
   void add(const LabelledBlock& block) override {
@@ -41,30 +50,38 @@ class ContactRadiusPartial final : public Partial {
       const BodyIndex b = block.body[i];
       if (b != 1 && b != 2) continue;
       const Eigen::Vector3d r = Eigen::Vector3d(x[i], y[i], z[i]) - plane_.point;
-      if (std::abs(r.dot(plane_.normal)) > half_layer_) continue;
-      layer_.merge({1, 1.0, {r.dot(plane_.u), r.dot(plane_.v)}, 0});
-      ++atoms_[b - 1];
+      const double height = std::abs(r.dot(plane_.normal));
+      for (std::size_t k = 0; k < thickness.size(); ++k)
+        if (height <= thickness[k] * half_layer_)
+          layers_[k].add(b, {r.dot(plane_.u), r.dot(plane_.v)});
     }
   }
 
   void merge(const Partial& later) override {
     const auto& other = dynamic_cast<const ContactRadiusPartial&>(later);
-    layer_.merge(other.layer_);
-    for (std::size_t b = 0; b < 2; ++b) atoms_[b] += other.atoms_[b];
+    for (std::size_t k = 0; k < layers_.size(); ++k) layers_[k].merge(other.layers_[k]);
   }
 
   void close(std::span<double> row) const override {
-    const bool touch = atoms_[0] > 0 && atoms_[1] > 0;
-    row[0] = touch ? std::sqrt(2.0 * (layer_.spread / layer_.weight)) : 0.0;
-    row[1] = static_cast<double>(atoms_[0]);
-    row[2] = static_cast<double>(atoms_[1]);
+    const Layer& layer = layers_[0];
+    row[0] = layer.radius();
+    row[1] = layer.touch() ? error() : 0.0;
+    for (std::size_t b = 0; b < 2; ++b) row[2 + b] = static_cast<double>(layer.atoms[b]);
   }
 
  private:
-  Plane plane_;
+  /// Besides counting, half of what half or double the thickness changes.
+  double error() const {
+    const double a = layers_[0].radius();
+    double change = 0;
+    for (const Layer& other : layers_)
+      if (other.touch()) change = std::max(change, std::abs(other.radius() - a));
+    return std::hypot(counting_error(a, layers_[0].moments.weight), 0.5 * change);
+  }
+
+  ContactPlane plane_;
   double half_layer_;
-  Moments<2> layer_;
-  std::array<std::uint64_t, 2> atoms_{};
+  std::array<Layer, thickness.size()> layers_;
 };
 
 class ContactRadius final : public Analysis {
@@ -76,11 +93,12 @@ class ContactRadius final : public Analysis {
   }
   std::vector<ColumnSpec> columns() const override {
     return {{"contact_radius", dimension::length},
+            {"contact_radius_error", dimension::length},
             {"layer_atoms1", dimension::none},
             {"layer_atoms2", dimension::none}};
   }
   std::unique_ptr<Partial> begin(const FrameContext& frame) const override {
-    const Plane plane(frame.motion[0], frame.motion[1], settings_.radius, frame.header.place);
+    const ContactPlane plane(frame.motion[0], frame.motion[1], settings_.radius, frame.header.place);
     return std::make_unique<ContactRadiusPartial>(plane, settings_.half_layer);
   }
 

@@ -56,7 +56,7 @@ double contact_radius(const Atoms& atoms, const Spheres& spheres = equal) {
   const FrameHeader header;
   const auto partial = make_contact_radius({spheres.radius, 0.5})->begin({header, motion});
   partial->add({block, atoms.body, mass});
-  std::array<double, 3> row{};
+  std::array<double, 4> row{};
   partial->close(row);
   return row[0];
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analyses/contact_radius.hpp"
+#include "fits/force_law.hpp"
 #include "readers/input_error.hpp"
 #include "reports/cli/command.hpp"
+#include "reports/contact_numbers.hpp"
 #include "reports/measured.hpp"
 
 namespace mdana::cli {
@@ -9,60 +10,105 @@ namespace {
 
 namespace po = boost::program_options;
 
-/// step, [time,] X, delta, and the columns of the analysis.
-Table contact_table(const MeasuredMotion& measured, double radius_sum) {
+/// What the overlays need besides the radii.
+struct Material {
+  std::optional<double> modulus;         ///< E* [pressure]
+  std::optional<double> surface_energy;  ///< gamma [energy/length^2]
+};
+
+std::optional<double> length_option(const Values& values, const char* name) {
+  if (!values.count(name)) return std::nullopt;
+  return positive(values[name].as<double>(), name);
+}
+
+std::vector<double> approach(const RelativeMotion& motion, double radius_sum) {
+  std::vector<double> delta;
+  for (const double x : motion.distance()) delta.push_back(radius_sum - x);
+  return delta;
+}
+
+/// step, [time,] X, delta, and the columns of the analyses.
+Table contact_table(const MeasuredMotion& measured, const std::vector<double>& delta) {
   Table table;
   const RelativeMotion& motion = measured.motion;
   table.add_column({"step", dimension::none},
                    std::vector<double>(motion.steps.begin(), motion.steps.end()));
   if (!motion.times.empty()) table.add_column({"time", dimension::time}, motion.times);
-  const std::vector<double> distance = motion.distance();
-  std::vector<double> delta;
-  for (const double x : distance) delta.push_back(radius_sum - x);
-  table.add_column({"X", dimension::length}, distance);
+  table.add_column({"X", dimension::length}, motion.distance());
   table.add_column({"delta", dimension::length}, delta);
-  const Table& radii = measured.swept.tables[1];
-  for (std::size_t k = 0; k < radii.columns().size(); ++k) {
-    const auto column = radii.column(k);
-    table.add_column(radii.columns()[k], {column.begin(), column.end()});
-  }
+  add_contact_columns(table, measured);
   return table;
+}
+
+/// Columns a_hertz and a_jkr, as far as their constants are known.
+void add_laws(Document& document, Table& table, const std::vector<double>& delta,
+              const Radii& radii, const Material& material) {
+  const double reduced = radii.value[0] * (radii.value[1] / radii.sum());
+  if (const ForceLaw* hertz = find_force_law("hertz"))
+    add_law_column(table, delta, *hertz, {reduced, 0, 0});
+  else
+    document.left_out("a_hertz", "this build has no such law");
+  const ForceLaw* jkr = find_force_law("jkr");
+  if (jkr && material.modulus && material.surface_energy)
+    add_law_column(table, delta, *jkr, {reduced, *material.modulus, *material.surface_energy});
+  else
+    document.left_out("a_jkr", !jkr ? "this build has no such law"
+                               : material.modulus ? "gamma is not known; add --surface-energy"
+                                                  : "E* is not known; add --modulus (fit-hertz "
+                                                    "measures it in a repulsive run)");
 }
 
 void add_options(Options& options) {
   add_run_options(options);
-  options.add_options()("layer", po::value<double>()->value_name("LENGTH"),
-                        "thickness of the layer about the contact plane (default: 1 sigma of the "
-                        "scene, 1 in lj units)");
+  const auto number = [](const char* name) { return po::value<double>()->value_name(name); };
+  options.add_options()                                                                      //
+      ("layer", number("LENGTH"),
+       "thickness of the layer about the contact plane (default: 1 sigma of the scene, 1 in lj "
+       "units)")                                                                             //
+      ("spacing", number("LENGTH"),
+       "distance of nearest neighbours in a body (default: median of the first frame)")      //
+      ("neighbour-cutoff", number("LENGTH"),
+       "atoms of the two bodies nearer than this are neighbours (default: 1.5 spacings)")    //
+      ("modulus", number("E*"), "contact modulus for the column a_jkr")                      //
+      ("surface-energy", number("GAMMA"),
+       "gamma of one surface for the column a_jkr (default: of the scene)");
   add_output_options(options, true);
+}
+
+void require_touch(const Run& run, const ContactNumbers& numbers) {
+  if (numbers.touch()) return;
+  throw InputError(run.dump.string() + ": no contact in this dump: the layer about the contact "
+                                       "plane never holds atoms of both bodies (repulsive bodies "
+                                       "under a small load keep farther apart: try a thicker "
+                                       "--layer)");
 }
 
 int run_command(const Values& values) {
   check_output(values, true);
   const RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
-  std::optional<double> layer;
-  if (values.count("layer")) layer = positive(values["layer"].as<double>(), "layer");
+  const ContactOptions contact{length_option(values, "layer"), length_option(values, "spacing"),
+                               length_option(values, "neighbour-cutoff")};
+  Material material{length_option(values, "modulus"), length_option(values, "surface-energy")};
   const Run run = prepare_run(options);
   require_two_bodies(run);
+  if (!material.surface_energy) material.surface_energy = run.scene.surface_energy;
   const Radii radii = find_radii(run, options);
-  const double half = half_layer(run, layer);
-  std::vector<std::unique_ptr<Analysis>> analyses;
-  analyses.push_back(make_contact_radius({radii.value, half}));
-  const MeasuredMotion measured = measure_motion(run, {}, std::move(analyses), sweeping);
-  const ContactRadiusNumbers numbers = contact_radius_numbers(measured, measured.swept.tables[1]);
-  if (!(numbers.max.value > 0))
-    throw InputError(run.dump.string() + ": no contact in this dump: the layer about the contact "
-                                         "plane never holds atoms of both bodies (repulsive bodies "
-                                         "under a small load keep farther apart: try a thicker "
-                                         "--layer)");
+  const ContactSetup setup = contact_setup(run, contact);
+  const MeasuredMotion measured =
+      measure_motion(run, {}, contact_analyses(radii, setup), sweeping);
+  const ContactNumbers numbers = contact_numbers(measured, radii.sum());
+  require_touch(run, numbers);
 
   Document document("contact-radius", run);
   document.sweep(measured.swept, run.format);
-  add_contact_radius(document, numbers, half);
+  add_contact_radius(document, numbers, setup);
   document.text("radius_source", radii.source);
+  for (const std::string& w : contact_disagreements(numbers, run.units)) document.warn(w);
   document.left_out("force, velocities", "not needed for the contact radius; only positions are read");
-  const Table table = contact_table(measured, radii.sum());
+  const std::vector<double> delta = approach(measured.motion, radii.sum());
+  Table table = contact_table(measured, delta);
+  add_laws(document, table, delta, radii, material);
   return emit(values, document, &table);
 }
 
@@ -73,8 +119,10 @@ const Command contact_radius_command{
     "contact-radius",
     "DUMP",
     "contact radius from the atoms at the contact plane",
-    "a = sqrt(2) r_g, with r_g the radius of gyration, within the contact plane, of the atoms of\n"
-    "both bodies in a layer about it. Zero while the layer lacks atoms of one of the bodies.",
+    "Three definitions, each with its error: gyration, a = sqrt(2) r_g of the atoms of both bodies in\n"
+    "a layer about the contact plane; alpha, sqrt(A/pi) with the area A that these atoms cover; and\n"
+    "neighbours, the same of the atoms that have one of the other body within a cutoff. Zero while\n"
+    "one of the bodies has no such atoms. In the table, a_hertz and a_jkr are the laws' radii.",
     "  mdana contact-radius sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana contact-radius dump.lammpstrj --units metal --masses 1=107.87 --layer 2.64 -o a.csv",
     add_options,

@@ -32,8 +32,9 @@ void write_tables(const Study& study, const std::filesystem::path& directory) {
     if (!entry.result) continue;
     const MeasuredMotion& measured = entry.result->measured;
     Table table = force_table(entry.result->curve, measured.motion, measured.swept.tables[0]);
-    const auto a = entry.result->contact_table().column("contact_radius");
-    table.add_column({"contact_radius", dimension::length}, {a.begin(), a.end()});
+    add_contact_columns(table, measured);
+    if (entry.overlay)
+      add_law_column(table, entry.result->curve.delta, *entry.overlay->law, entry.overlay->contact);
     write_file(directory / (file_name(entry.name) + ".csv"), to_csv(table));
   }
 }

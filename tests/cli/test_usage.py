@@ -13,7 +13,7 @@ OPTIONS = {
     "info": RUN,
     "check": ["--limit", "--threads", "--memory", "--json", "--output", "-o", "--help"],
     "force": RUN + SWEEP + ["--source"],
-    "contact-radius": RUN + SWEEP + ["--layer"],
+    "contact-radius": RUN + SWEEP + ["--layer", "--spacing", "--neighbour-cutoff", "--modulus", "--surface-energy"],
     "energy": RUN + SWEEP + ["--potential", "--log"],
     "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss"],
