@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string_view>
 
 #include "readers/positions.hpp"
@@ -117,10 +118,11 @@ double rounding_of(const std::filesystem::path& dump, const std::string& column)
   if (printed.digits == 0) return 0;
   AtomBlock block;
   convert(chunk, block);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double squares = 0;
   for (const double value : block.real(printed_as)) {
     const double unit = last_digit_unit(value, printed);
-    squares += unit * unit;
+    if (unit > epsilon * std::abs(value)) squares += unit * unit;  // else every bit is told
   }
   return length * std::sqrt(squares / (12 * static_cast<double>(block.atoms())));
 }
