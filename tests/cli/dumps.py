@@ -40,7 +40,7 @@ class Frame:
 
     def rows(self):
         whole = [name in ("id", "type", "mol", "ix", "iy", "iz") for name in self.columns]
-        return "".join(" ".join(str(int(v)) if w else repr(float(v)) for v, w in zip(row, whole)) + "\n"
+        return "".join(" ".join(str(int(v)) if w else format(float(v), ".17g") for v, w in zip(row, whole)) + "\n"
                        for row in self.atoms)
 
     def text(self):
