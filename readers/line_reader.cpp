@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace mdana {
 namespace {
 
@@ -14,16 +18,44 @@ struct Newlines {
   std::size_t end;  ///< offset behind the last of them
 };
 
-/// At most `wanted` newlines of `text`.
+constexpr std::size_t stretch = 4096;  ///< bytes whose newlines are counted at once
+
+#if defined(__SSE2__)
+std::size_t newlines_of_stretch(const char* text) {
+  const __m128i newline = _mm_set1_epi8('\n');
+  __m128i counts[4] = {};  // of 64 bytes each, so that no byte overflows
+  for (std::size_t i = 0; i < stretch; i += 64)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text + i + 16 * k));
+      counts[k] = _mm_sub_epi8(counts[k], _mm_cmpeq_epi8(bytes, newline));
+    }
+  __m128i sum = _mm_setzero_si128();
+  for (const __m128i& count : counts)
+    sum = _mm_add_epi64(sum, _mm_sad_epu8(count, _mm_setzero_si128()));
+  return static_cast<std::size_t>(_mm_cvtsi128_si64(_mm_add_epi64(sum, _mm_srli_si128(sum, 8))));
+}
+#else
+std::size_t newlines_of_stretch(const char* text) {
+  return static_cast<std::size_t>(std::count(text, text + stretch, '\n'));
+}
+#endif
+
+/// At most `wanted` newlines of `text`: counted by stretches, the last ones looked for.
 Newlines find_newlines(std::string_view text, std::size_t wanted) {
-  Newlines found{0, 0};
-  while (found.count < wanted) {
-    const void* newline = std::memchr(text.data() + found.end, '\n', text.size() - found.end);
-    if (!newline) break;
-    found.end = static_cast<std::size_t>(static_cast<const char*>(newline) - text.data()) + 1;
-    ++found.count;
+  std::size_t count = 0, at = 0;
+  while (text.size() - at >= stretch) {
+    const std::size_t more = newlines_of_stretch(text.data() + at);
+    if (count + more >= wanted) break;
+    count += more;
+    at += stretch;
   }
-  return found;
+  while (count < wanted) {
+    const std::size_t newline = text.find('\n', at);
+    if (newline == std::string_view::npos) return {count, text.rfind('\n') + 1};
+    at = newline + 1;
+    ++count;
+  }
+  return {count, at};
 }
 
 /// Of whole lines those before the first that begins with `stop`.
