@@ -3,6 +3,7 @@
 """Parts of a dump: frames, atoms, and what damage does with and without --strict."""
 
 import gzip
+import os
 
 import running
 from running import SAMPLE
@@ -46,6 +47,26 @@ class Choices(running.Case):
         for name in ("F_max", "delta_max", "hysteresis_area", "outcome"):
             self.assertEqual(selected[name], plain[name])
         self.refused("force", dump, *SCENE, "--bodies", "type", says=["3 bodies"])
+
+    def test_large_files_get_an_index(self):
+        """Comments before some frames make the file larger than 256 MiB."""
+        text = gzip.decompress(SAMPLE.read_bytes())
+        filler = b"# " + b"-" * (90 << 20) + b"\n"
+        large = self.dir / "large.lammpstrj"
+        first, *frames = text.split(b"ITEM: TIME\n")[1:]
+        with open(large, "wb") as file:
+            file.write(text.split(b"ITEM: TIME\n")[0] + b"ITEM: TIME\n" + first)
+            for k, frame in enumerate(frames):
+                file.write((filler if k in (5, 20, 30) else b"") + b"ITEM: TIME\n" + frame)
+        whole = self.table("force", large, *SCENE)
+        self.assertEqual(whole["X"], self.table("force", SAMPLE)["X"])
+        index = large.with_name(large.name + ".mdana-index")
+        self.assertEqual(index.read_text().split()[:2], ["mdana-index", "1"])
+        self.assertEqual(self.table("force", large, *SCENE, "--frames", "35:47:3")["step"], whole["step"][35::3])
+        old = index.read_text()
+        os.utime(large)  # another time: the index is of no use, and made anew by the next who reads all
+        self.assertEqual(self.table("force", large, *SCENE)["X"], whole["X"])
+        self.assertNotEqual(index.read_text(), old)
 
     def test_strict_refuses_what_else_is_used_in_part(self):
         cut = self.dir / "cut.lammpstrj"
