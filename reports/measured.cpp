@@ -73,6 +73,16 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                             contact_force_fraction));
 }
 
+void add_restitution(Document& document, const Restitution& restitution) {
+  if (!restitution.reason.empty())
+    return document.left_out("coefficient of restitution", restitution.reason);
+  document.number("e", restitution.e);
+  document.number("e_total", restitution.e_total);
+  document.number("speed_before", restitution.speed_before);
+  if (!std::isnan(restitution.speed_after.value))
+    document.number("speed_after", restitution.speed_after);
+}
+
 void warn_of_force(Document& document, const ForceCurve& curve) {
   if (curve.delta_max.value < 0)
     document.warn("delta is negative even at the greatest compression: the radius is smaller than "

@@ -6,6 +6,7 @@
 
 #include "analyses/force_curve.hpp"
 #include "analyses/relative_motion.hpp"
+#include "analyses/restitution.hpp"
 #include "analyses/sweep.hpp"
 #include "reports/document.hpp"
 #include "reports/run.hpp"
@@ -31,6 +32,9 @@ ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, Fo
 /// Numbers and sources of a force curve under the names that other programs rely on.
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii);
+
+/// e, e_total and the speeds that they are ratios of, or why there are none.
+void add_restitution(Document& document, const Restitution& restitution);
 
 /// Warns where the numbers of a force curve do not mean what they seem to.
 void warn_of_force(Document& document, const ForceCurve& curve);

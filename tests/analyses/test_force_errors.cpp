@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stated error must cover the distance to the truth, wherever the frames fall.
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "tests/analyses/collision.hpp"
@@ -53,6 +55,26 @@ TEST_P(ForceErrors, CoverTheEnergyLost) {
         curve(test::plastic_bounce(v, omega, 2 * omega), GetParam(), 0.15, 0.05 * i);
     EXPECT_TRUE(test::covers(c.hysteresis_area, lost, energy))
         << i << ": " << c.hysteresis_area.value - lost << " stated " << *c.hysteresis_area.error;
+  }
+}
+
+// Twice a standard error covers the truth in about 95 of 100 runs.
+TEST(ForceErrorsOfNoise, CoverTheLoopAreaOfNoisyForces) {
+  const double lost = 0.5 * mass * v * v * (1 - 1 / 4.0);
+  for (const double share : {1e-3, 1e-2}) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> noise(0, share * omega * v);
+    int covered = 0;
+    for (int run = 0; run < 100; ++run) {
+      RelativeMotion motion = test::head_on(test::even_times(-12, 20, 0.15),
+                                            test::plastic_bounce(v, omega, 2 * omega), radii, mass);
+      for (Eigen::Index i = 0; i < motion.frames(); ++i)
+        motion.acceleration.col(i) += noise(random) * motion.position.col(i).normalized();
+      const Value area =
+          force_curve(motion, ForceSource::forces, Units::lj, radii).hysteresis_area;
+      covered += area.error && std::abs(area.value - lost) <= 2 * *area.error;
+    }
+    EXPECT_GE(covered, 90) << share;
   }
 }
 

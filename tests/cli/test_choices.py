@@ -62,7 +62,7 @@ class Choices(running.Case):
         self.assertEqual(whole["X"], self.table("force", SAMPLE)["X"])
         index = large.with_name(large.name + ".mdana-index")
         self.assertEqual(index.read_text().split()[:2], ["mdana-index", "1"])
-        self.assertEqual(self.table("force", large, *SCENE, "--frames", "35:47:3")["step"], whole["step"][35::3])
+        self.assertEqual(self.table("force", large, *SCENE, "--frames", "20:47:3")["step"], whole["step"][20::3])
         old = index.read_text()
         os.utime(large)  # another time: the index is of no use, and made anew by the next who reads all
         self.assertEqual(self.table("force", large, *SCENE)["X"], whole["X"])
