@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fits/force_law.hpp"
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
-#include "reports/contact_numbers.hpp"
+#include "reports/cli/measuring_options.hpp"
 #include "reports/measured.hpp"
 
 namespace mdana::cli {
 namespace {
-
-namespace po = boost::program_options;
-
-/// What the overlays need besides the radii.
-struct Material {
-  std::optional<double> modulus;         ///< E* [pressure]
-  std::optional<double> surface_energy;  ///< gamma [energy/length^2]
-};
-
-std::optional<double> length_option(const Values& values, const char* name) {
-  if (!values.count(name)) return std::nullopt;
-  return positive(values[name].as<double>(), name);
-}
 
 std::vector<double> approach(const RelativeMotion& motion, double radius_sum) {
   std::vector<double> delta;
@@ -60,18 +46,8 @@ void add_laws(Document& document, Table& table, const std::vector<double>& delta
 
 void add_options(Options& options) {
   add_run_options(options);
-  const auto number = [](const char* name) { return po::value<double>()->value_name(name); };
-  options.add_options()                                                                      //
-      ("layer", number("LENGTH"),
-       "thickness of the layer about the contact plane (default: 1 sigma of the scene, 1 in lj "
-       "units)")                                                                             //
-      ("spacing", number("LENGTH"),
-       "distance of nearest neighbours in a body (default: median of the first frame)")      //
-      ("neighbour-cutoff", number("LENGTH"),
-       "atoms of the two bodies nearer than this are neighbours (default: 1.5 spacings)")    //
-      ("modulus", number("E*"), "contact modulus for the column a_jkr")                      //
-      ("surface-energy", number("GAMMA"),
-       "gamma of one surface for the column a_jkr (default: of the scene)");
+  add_contact_options(options);
+  add_material_options(options);
   add_output_options(options, true);
 }
 
@@ -87,12 +63,11 @@ int run_command(const Values& values) {
   check_output(values, true);
   const RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
-  const ContactOptions contact{length_option(values, "layer"), length_option(values, "spacing"),
-                               length_option(values, "neighbour-cutoff")};
-  Material material{length_option(values, "modulus"), length_option(values, "surface-energy")};
+  const ContactOptions contact = contact_options(values);
+  material_options(values, {});  // a usage error comes before work
   const Run run = prepare_run(options);
   require_two_bodies(run);
-  if (!material.surface_energy) material.surface_energy = run.scene.surface_energy;
+  const Material material = material_options(values, run.scene);
   const Radii radii = find_radii(run, options);
   const ContactSetup setup = contact_setup(run, contact);
   const MeasuredMotion measured =

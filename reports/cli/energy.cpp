@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/energy.hpp"
-#include "reports/cli/command.hpp"
-#include "reports/measured_energy.hpp"
+#include "reports/cli/measuring_options.hpp"
 
 namespace mdana::cli {
 namespace {
 
-namespace po = boost::program_options;
-
 void add_options(Options& options) {
   add_run_options(options);
-  options.add_options()                                              //
-      ("potential", po::value<std::string>()->value_name("COLUMN"),
-       "column of the potential energies of atoms (default: c_pe, c_peatom or pe, if there is "
-       "exactly one)")                                               //
-      ("log", po::value<std::string>()->value_name("FILE"),
-       "take the potential energy from this log of LAMMPS instead, by the step");
+  add_potential_options(options);
   add_output_options(options, true);
-}
-
-PotentialOptions potential_options(const Values& values) {
-  PotentialOptions options;
-  if (values.count("potential")) options.column = values["potential"].as<std::string>();
-  if (values.count("log")) options.log = values["log"].as<std::string>();
-  if (values.count("potential") && values.count("log"))
-    throw UsageError("--potential and --log: give one of them");
-  return options;
 }
 
 int run_command(const Values& values) {

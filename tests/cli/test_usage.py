@@ -14,6 +14,7 @@ OPTIONS = {
     "check": ["--limit", "--threads", "--memory", "--json", "--output", "-o", "--help"],
     "force": RUN + SWEEP + ["--source"],
     "contact-radius": RUN + SWEEP + ["--layer", "--spacing", "--neighbour-cutoff", "--modulus", "--surface-energy"],
+    "collision": RUN + SWEEP + ["--layer", "--spacing", "--modulus", "--potential", "--log"],
     "energy": RUN + SWEEP + ["--potential", "--log"],
     "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss"],

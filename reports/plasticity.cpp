@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/plasticity.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace mdana {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+Value hertz_pressure(const Value& delta, double radius) {
+  Value p{not_known, {}, dimension::none};
+  if (!(delta.value > 0)) return p;
+  p.value = 2 / std::numbers::pi * std::sqrt(delta.value / radius);
+  if (delta.error) p.error = 0.5 * p.value * *delta.error / delta.value;
+  return p;
+}
+
+/// Eq. 9 with a of the JKR curve: P (u - 1/(3 sqrt u)), u = a/a0, P = 2 a0/(pi R*).
+double jkr_pressure(double delta, const ForceLaw& jkr, const ElasticContact& c) {
+  const double a0 =
+      std::cbrt(9 * std::numbers::pi * c.surface_energy * c.radius * c.radius / c.modulus);
+  const double u = jkr.contact_radius(delta, c) / a0;
+  return 2 * a0 / (std::numbers::pi * c.radius) * (u - 1 / (3 * std::sqrt(u)));
+}
+
+std::optional<Value> pressure_by_jkr(const Value& delta, const ElasticContact& contact) {
+  const ForceLaw* jkr = find_force_law("jkr");
+  if (!jkr || !(contact.modulus > 0) || !(contact.surface_energy > 0)) return std::nullopt;
+  Value p{jkr_pressure(delta.value, *jkr, contact), {}, dimension::none};
+  if (delta.error)
+    p.error = 0.5 * std::abs(jkr_pressure(delta.value + *delta.error, *jkr, contact) -
+                             jkr_pressure(delta.value - *delta.error, *jkr, contact));
+  return p;
+}
+
+/// delta between frames i and i + 1 where the force is zero, with what its error moves.
+Value zero_between(const ForceCurve& curve, std::size_t i) {
+  const double f0 = curve.force[i], f1 = curve.force[i + 1];
+  const double step = curve.delta[i + 1] - curve.delta[i];
+  Value zero{curve.delta[i] + f0 / (f0 - f1) * step, {}, dimension::length};
+  zero.error = std::abs(step / (f0 - f1)) * std::max(curve.force_error[i], curve.force_error[i + 1]);
+  return zero;
+}
+
+/// Zeros of the force nearest to the first turn, before and behind it.
+Value residual_delta(const ForceCurve& curve) {
+  const Value none{not_known, {}, dimension::length};
+  if (curve.cycles.empty()) return none;
+  const Cycle& c = curve.cycles[0];
+  std::size_t before = c.turn, behind = c.turn;
+  while (before > c.start && curve.force[before] > 0) --before;
+  while (behind < c.end && curve.force[behind] > 0) ++behind;
+  if (curve.force[before] > 0 || curve.force[behind] > 0 || before == behind) return none;
+  const Value loading = zero_between(curve, before), unloading = zero_between(curve, behind - 1);
+  return {unloading.value - loading.value, std::hypot(*loading.error, *unloading.error),
+          dimension::length};
+}
+
+void judge(const ForceCurve& curve, PlasticSigns& signs) {
+  const double p = signs.pressure().value;
+  const char* law = signs.pressure_jkr ? "JKR" : "Hertz";
+  if (p >= yield_certain)
+    signs.verdict = Plasticity::yes;
+  else if (p >= yield_begins)
+    signs.verdict = Plasticity::possible;
+  if (!std::isnan(p))
+    signs.reasons.push_back(fmt::format("p_c = {:.3g} E* by {} at the greatest delta; yield begins near "
+                                        "{}, and is certain beyond {}",
+                                        p, law, yield_begins, yield_certain));
+  const Value& rest = signs.residual;
+  if (std::isnan(rest.value)) {
+    signs.reasons.push_back("the force does not vanish on both sides of the greatest delta: no residual");
+    return;
+  }
+  const bool significant = rest.error && rest.value > 3 * *rest.error &&
+                           rest.value > 0.02 * std::abs(curve.delta_max.value);
+  signs.reasons.push_back(fmt::format("residual delta {:.3g} ± {:.2g}: {}", rest.value,
+                                      rest.error.value_or(0),
+                                      significant ? "a dent is left" : "no dent beyond its error"));
+  if (significant && signs.verdict == Plasticity::possible) signs.verdict = Plasticity::yes;
+  if (significant && signs.verdict == Plasticity::no) signs.verdict = Plasticity::possible;
+}
+
+}  // namespace
+
+std::string_view name(Plasticity plasticity) {
+  constexpr std::array<std::string_view, 3> names{"no", "possible", "yes"};
+  return names[static_cast<std::size_t>(plasticity)];
+}
+
+PlasticSigns plastic_signs(const ForceCurve& curve, const ElasticContact& contact) {
+  PlasticSigns signs;
+  signs.pressure_hertz = hertz_pressure(curve.delta_max, contact.radius);
+  signs.pressure_jkr = pressure_by_jkr(curve.delta_max, contact);
+  signs.residual = residual_delta(curve);
+  judge(curve, signs);
+  return signs;
+}
+
+}  // namespace mdana

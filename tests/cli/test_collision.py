@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdana collision` tells in one pass what the single commands tell."""
+
+import running
+from running import SAMPLE
+
+
+class Collision(running.Case):
+    def test_numbers_are_those_of_the_single_commands(self):
+        whole = self.document("collision", SAMPLE)
+        force = self.document("force", SAMPLE)
+        for name in ("outcome", "F_max", "F_min_loading", "delta_max", "hysteresis_area", "kinetic_loss", "cycles"):
+            self.assertEqual(whole[name], force[name], name)
+        contact = self.document("contact-radius", SAMPLE)
+        self.assertEqual(whole["contact_radius"], contact["contact_radius"])
+        reasons = {entry["what"] for entry in self.document("energy", SAMPLE)["left_out"]}
+        self.assertLessEqual(reasons, {entry["what"] for entry in whole["left_out"]})
+        self.assertEqual([w for w in whole["warnings"] if w not in contact["warnings"]], force["warnings"])
+
+    def test_table_is_all_tables(self):
+        whole = self.table("collision", SAMPLE)
+        for command in ("force", "contact-radius", "energy"):
+            for name, column in self.table(command, SAMPLE).items():
+                if name not in ("a_hertz", "a_jkr"):  # which contact-radius lays beside
+                    self.assertEqual(whole[name], column, f"{command}: {name}")
+
+    def test_plastic_signs(self):
+        plain = self.document("collision", SAMPLE)
+        self.assertEqual(plain["p_c_max"], plain["p_c"]["hertz"])
+        by_jkr = self.document("collision", SAMPLE, "--modulus", 60, "--surface-energy", 3.17)
+        self.assertEqual(by_jkr["p_c_max"], by_jkr["p_c"]["jkr"])
+        # Hertz: 2/pi sqrt(delta_max/R*) with R* = 2.5 of two spheres of radius 5.
+        self.assertAlmostEqual(plain["p_c"]["hertz"]["value"],
+                               2 / 3.141592653589793 * (plain["delta_max"]["value"] / 2.5) ** 0.5, 12)
+        self.assertIn(plain["plastic"], ("no", "possible", "yes"))
+        self.assertEqual(len(plain["plastic_reasons"]), 2)
+
+    def test_without_velocities_the_rest_is_told(self):
+        bare = self.dir / "bare.lammpstrj"
+        self.mdana("convert", SAMPLE, "-o", bare, "--columns", "id,type,x,y,z")
+        document = self.document("collision", bare, "--scene", SAMPLE.parent / "scene.toml")
+        self.assertIn("energies", [entry["what"] for entry in document["left_out"]])
+        self.assertEqual(document["force_source"], "positions")
+        self.assertIn("gyration", document["contact_radius"])
+
+
+if __name__ == "__main__":
+    running.main()
