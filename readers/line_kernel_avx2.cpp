@@ -135,7 +135,9 @@ MDANA_INLINE Decimals decimals_of(const char* text, const std::uint32_t* offset,
 }
 
 /// Bits of the tokens that are no numbers in reach.
-MDANA_INLINE std::uint64_t reals_of(const Decimals& d, double* values) {
+MDANA_INLINE std::uint64_t reals_of(const char* text, const std::uint32_t* offset,
+                                   const std::uint8_t* length, double* values) {
+  const Decimals d = decimals_of(text, offset, length);
   // Exact below 2^52: the bits of 2^52 + digits, less 2^52.
   const __m256i magic = _mm256_set1_epi64x(0x4330000000000000);
   const __m256d digits = _mm256_sub_pd(_mm256_castsi256_pd(_mm256_or_si256(d.digits, magic)),
@@ -149,7 +151,9 @@ MDANA_INLINE std::uint64_t reals_of(const Decimals& d, double* values) {
   return d.wrong | static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_castsi256_pd(large)));
 }
 
-MDANA_INLINE std::uint64_t integers_of(const Decimals& d, std::int64_t* values) {
+MDANA_INLINE std::uint64_t integers_of(const char* text, const std::uint32_t* offset,
+                                      const std::uint8_t* length, std::int64_t* values) {
+  const Decimals d = decimals_of(text, offset, length);
   const __m256i bit = _mm256_setr_epi64x(1, 2, 4, 8);
   const __m256i negative = _mm256_cmpeq_epi64(
       _mm256_and_si256(_mm256_set1_epi64x(static_cast<long long>(d.negative)), bit), bit);
@@ -158,40 +162,13 @@ MDANA_INLINE std::uint64_t integers_of(const Decimals& d, std::int64_t* values) 
   return d.wrong | d.fraction;
 }
 
-/// All tokens in groups of four; the last group is filled up with its first token.
-template <class T, class Convert>
-MDANA_INLINE std::uint64_t in_groups(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                     T* values, Convert&& convert) {
-  std::uint64_t failed = 0;
-  std::size_t i = 0;
-  for (; i + at_once <= lines; i += at_once)
-    failed |= convert(decimals_of(text, &tokens.offset[i], &tokens.length[i]), values + i) << i;
-  if (i == lines) return failed;
-  std::uint32_t offset[at_once];
-  std::uint8_t length[at_once];
-  T last[at_once];
-  for (std::size_t k = 0; k < at_once; ++k) {
-    const std::size_t from = i + k < lines ? i + k : i;
-    offset[k] = tokens.offset[from];
-    length[k] = tokens.length[from];
-  }
-  const std::uint64_t rest = convert(decimals_of(text, offset, length), last);
-  for (std::size_t k = 0; i + k < lines; ++k) values[i + k] = last[k];
-  return failed | (rest & ((1u << (lines - i)) - 1)) << i;
-}
+}  // namespace
+}  // namespace mdana
 
-MDANA_TARGET std::uint64_t reals(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                 double* values) {
-  return in_groups(text, tokens, lines, values, [](const Decimals& d, double* to) MDANA_TARGET {
-    return reals_of(d, to);
-  });
-}
+#include "readers/line_groups.hpp"
 
-MDANA_TARGET std::uint64_t integers(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                    std::int64_t* values) {
-  return in_groups(text, tokens, lines, values,
-                   [](const Decimals& d, std::int64_t* to) MDANA_TARGET { return integers_of(d, to); });
-}
+namespace mdana {
+namespace {
 
 bool supported() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2"); }
 

@@ -145,7 +145,9 @@ MDANA_INLINE __m512d scale_of(__m128i point) {
 }
 
 /// Bits of the tokens that are no numbers in reach.
-MDANA_INLINE std::uint64_t reals_of(const Tokens& t, double* values) {
+MDANA_INLINE std::uint64_t reals_of(const char* text, const std::uint32_t* offset,
+                                   const std::uint8_t* length, double* values) {
+  const Tokens t = tokens_of(text, offset, length);
   const Decimals d = decimals_of(t);
   const __m512d quotient = _mm512_div_pd(_mm512_cvtepu64_pd(d.digits), scale_of(d.point));
   const __m512i sign = _mm512_maskz_set1_epi64(t.negative, static_cast<long long>(1ull << 63));
@@ -155,7 +157,9 @@ MDANA_INLINE std::uint64_t reals_of(const Tokens& t, double* values) {
   return static_cast<std::uint8_t>(~d.valid | large);
 }
 
-MDANA_INLINE std::uint64_t integers_of(const Tokens& t, std::int64_t* values) {
+MDANA_INLINE std::uint64_t integers_of(const char* text, const std::uint32_t* offset,
+                                      const std::uint8_t* length, std::int64_t* values) {
+  const Tokens t = tokens_of(text, offset, length);
   const Decimals d = decimals_of(t);
   const __m512i value =
       _mm512_mask_sub_epi64(d.digits, t.negative, _mm512_setzero_si512(), d.digits);
@@ -164,41 +168,13 @@ MDANA_INLINE std::uint64_t integers_of(const Tokens& t, std::int64_t* values) {
   return static_cast<std::uint8_t>(~d.valid | fraction);
 }
 
-/// All tokens in groups of eight; the last group is filled up with its first token.
-template <class T, class Convert>
-MDANA_INLINE std::uint64_t in_groups(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                     T* values, Convert&& convert) {
-  std::uint64_t failed = 0;
-  std::size_t i = 0;
-  for (; i + at_once <= lines; i += at_once)
-    failed |= convert(tokens_of(text, &tokens.offset[i], &tokens.length[i]), values + i) << i;
-  if (i == lines) return failed;
-  std::uint32_t offset[at_once];
-  std::uint8_t length[at_once];
-  T last[at_once];
-  for (std::size_t k = 0; k < at_once; ++k) {
-    const std::size_t from = i + k < lines ? i + k : i;
-    offset[k] = tokens.offset[from];
-    length[k] = tokens.length[from];
-  }
-  const std::uint64_t rest = convert(tokens_of(text, offset, length), last);
-  for (std::size_t k = 0; i + k < lines; ++k) values[i + k] = last[k];
-  return failed | (rest & ((1u << (lines - i)) - 1)) << i;
-}
+}  // namespace
+}  // namespace mdana
 
-MDANA_TARGET std::uint64_t reals(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                 double* values) {
-  return in_groups(text, tokens, lines, values, [](const Tokens& t, double* to) MDANA_TARGET {
-    return reals_of(t, to);
-  });
-}
+#include "readers/line_groups.hpp"
 
-MDANA_TARGET std::uint64_t integers(const char* text, const TokenBatch& tokens, std::size_t lines,
-                                    std::int64_t* values) {
-  return in_groups(text, tokens, lines, values, [](const Tokens& t, std::int64_t* to) MDANA_TARGET {
-    return integers_of(t, to);
-  });
-}
+namespace mdana {
+namespace {
 
 bool supported() {
   return __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
