@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -24,8 +25,8 @@ constexpr const char* no_header =
     "no header of a LAMMPS binary dump begins here; is the number of atoms of the frame before "
     "right?";
 constexpr const char* nameless =
-    "this binary dump does not name its columns (LAMMPS before October 2020); convert it with "
-    "LAMMPS' binary2txt and add the names to the lines ITEM: ATOMS";
+    "this binary dump does not name its columns (LAMMPS before October 2020); write their names, as "
+    "in the command dump, to a file of its name and '.columns' beside it";
 
 /// The length of the name at the start of a header, which LAMMPS writes negated where the step was.
 std::optional<int> name_length(const char* marker, bool swapped) {
@@ -48,6 +49,33 @@ std::vector<std::string> words(const std::string& text) {
   return result;
 }
 
+/// The names of the columns of a dump that does not tell them: of the file <dump>.columns.
+std::vector<std::string> stated_columns(const std::string& dump) {
+  std::ifstream stream(dump + ".columns");
+  std::string text(std::min<std::size_t>(longest_columns, 1 << 16), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return words(text);
+}
+
+/// Old header in one byte order: step, atoms, triclinic, six boundaries, six bounds.
+constexpr std::size_t old_header_size = 92;
+
+bool is_old_header(const char* head, bool swapped) {
+  if (load<std::int64_t>(head, swapped) < 0 || load<std::int64_t>(head + 8, swapped) < 0)
+    return false;
+  const auto kind = [&](int k) { return load<std::int32_t>(head + 16 + 4 * k, swapped); };
+  if (kind(0) < 0 || kind(0) > 1) return false;
+  for (int k = 1; k <= 6; ++k)
+    if (kind(k) < 0 || kind(k) > 3) return false;
+  for (int k = 0; k < 3; ++k) {
+    const auto lo = load<double>(head + 44 + 16 * k, swapped);
+    const auto hi = load<double>(head + 52 + 16 * k, swapped);
+    if (!std::isfinite(lo) || !std::isfinite(hi) || !(hi > lo)) return false;
+  }
+  return true;
+}
+
 /// Reads the fields of one header.
 class HeaderReader {
  public:
@@ -55,14 +83,19 @@ class HeaderReader {
 
   std::optional<Header> read() {
     if (!marker()) return std::nullopt;
-    name();
-    order_and_revision();
-    frame().step = number<std::int64_t>();
+    if (name_length_ > 0) {
+      name();
+      order_and_revision();
+      frame().step = number<std::int64_t>();
+    }
     atoms();
     box();
     const auto columns_of_atom = number<std::int32_t>();
-    units();
-    time();
+    if (name_length_ > 0) {
+      units();
+      time();
+      named_columns();
+    }
     columns(columns_of_atom);
     header_.ranks = number<std::int32_t>();
     if (header_.ranks < 1)
@@ -76,6 +109,10 @@ class HeaderReader {
   FrameHeader& frame() { return header_.frame; }
 
   void needed(std::span<char> into) {
+    const std::size_t known = std::min(into.size(), ahead_.size());
+    std::copy_n(ahead_.begin(), known, into.begin());
+    ahead_.erase(0, known);
+    into = into.subspan(known);
     if (file_.read(into) < into.size())
       file_.ended(fmt::format("in the header of frame {}", frame().index));
   }
@@ -114,9 +151,24 @@ class HeaderReader {
     if (got < bytes.size()) file_.ended(fmt::format("in the header of frame {}", frame().index));
     header_.swapped = !name_length(bytes.data(), false);
     const auto length = name_length(bytes.data(), header_.swapped);
-    if (!length) file_.fail(frame().index == 0 ? nameless : no_header);
-    name_length_ = *length;
+    if (length)
+      name_length_ = *length;
+    else
+      old_header({bytes.data(), bytes.size()});
     return true;
+  }
+
+  /// Its fields are those of the new one from the step on, but for the names and what follows them.
+  void old_header(std::string_view first_bytes) {
+    frame().columns = stated_columns(file_.path());
+    if (frame().columns.empty()) file_.fail(frame().index == 0 ? nameless : no_header);
+    std::string head(first_bytes);
+    head.resize(old_header_size);
+    needed({head.data() + first_bytes.size(), old_header_size - first_bytes.size()});
+    header_.swapped = !is_old_header(head.data(), false);
+    if (!is_old_header(head.data(), header_.swapped)) file_.fail(no_header);
+    frame().step = load<std::int64_t>(head.data(), header_.swapped);
+    ahead_ = head.substr(first_bytes.size());
   }
 
   void name() {
@@ -206,9 +258,12 @@ class HeaderReader {
     if (flag == 1) frame().time = finite("the time");
   }
 
-  void columns(int columns_of_atom) {
+  void named_columns() {
     frame().columns = words(text("the names of the columns", longest_columns));
     if (frame().columns.empty()) file_.fail(nameless);
+  }
+
+  void columns(int columns_of_atom) {
     if (static_cast<std::int64_t>(frame().columns.size()) != columns_of_atom)
       file_.fail(fmt::format("{} columns are named, but an atom has {} numbers",
                              frame().columns.size(), columns_of_atom));
@@ -220,24 +275,9 @@ class HeaderReader {
 
   Stretches& file_;
   Header header_;
-  int name_length_ = 0;
+  int name_length_ = 0;  ///< 0: an old header, without
+  std::string ahead_;    ///< bytes of it that were read to tell its byte order
 };
-
-/// Old header in one byte order: step, atoms, triclinic, six boundaries, six bounds.
-bool is_old_header(const char* head, bool swapped) {
-  if (load<std::int64_t>(head, swapped) < 0 || load<std::int64_t>(head + 8, swapped) < 0)
-    return false;
-  const auto kind = [&](int k) { return load<std::int32_t>(head + 16 + 4 * k, swapped); };
-  if (kind(0) < 0 || kind(0) > 1) return false;
-  for (int k = 1; k <= 6; ++k)
-    if (kind(k) < 0 || kind(k) > 3) return false;
-  for (int k = 0; k < 3; ++k) {
-    const auto lo = load<double>(head + 44 + 16 * k, swapped);
-    const auto hi = load<double>(head + 52 + 16 * k, swapped);
-    if (!std::isfinite(lo) || !std::isfinite(hi) || !(hi > lo)) return false;
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -251,7 +291,7 @@ bool begins_header(std::string_view head) {
 }
 
 bool begins_old_header(std::string_view head) {
-  return head.size() >= 92 &&
+  return head.size() >= old_header_size &&
          (is_old_header(head.data(), false) || is_old_header(head.data(), true));
 }
 

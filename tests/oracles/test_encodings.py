@@ -369,9 +369,19 @@ class Encodings(running.Case):
                 self.same(self.put(f"{'little' if order == '<' else 'big'}{ranks}.bin", binary(order, ranks)))
 
     def test_old_binary(self):
-        """Before October 2020 the file names no columns: nothing is guessed, and the way out is told."""
-        for order in "<>":
-            self.refused("force", self.put("old.bin", binary(order, old=True)), *STATED, says=["binary2txt"])
+        """Before October 2020 the file names no columns: nothing is guessed; a file beside it may tell."""
+        for name, order in (("little.bin", "<"), ("big.bin", ">")):
+            old = self.put(name, binary(order, old=True))
+            self.refused("force", old, *STATED, says=[".columns"])
+            self.put(name + ".columns", b"id type x y z vx vy vz\n")
+            texts = []
+            for dump in (old, self.put("new.bin", binary(order))):
+                texts.append(self.dir / "text.lammpstrj")
+                self.mdana("convert", dump, "-o", texts[-1], "--omit", "units,time")
+                texts[-1] = texts[-1].read_bytes()
+            self.assertEqual(*texts)
+            self.put(name + ".columns", b"id type x y z vx vy\n")
+            self.refused("force", old, *STATED, says=["7 columns are named, but an atom has 8"])
 
     def test_h5md(self):
         path = self.dir / "run.h5"
