@@ -31,8 +31,6 @@ struct RelativeMotion {
   Eigen::Matrix3Xd position;      ///< X2 - X1 [length]
   Eigen::Matrix3Xd velocity;      ///< [velocity]; no columns if not measured
   Eigen::Matrix3Xd acceleration;  ///< F2/m2 - F1/m1 [force/mass]; no columns without forces
-  double mass_change = 0;  ///< greatest change of a body's mass, as a share of that of the first frame
-
   /// Standard deviation of a component by the printed digits; 0 if they are exact or not known.
   double position_noise = 0, velocity_noise = 0;
 
@@ -44,9 +42,8 @@ struct RelativeMotion {
   RelativeMotion subset(std::size_t first, std::size_t stride) const;
 };
 
-/// From a motion table. `times` may be empty. Atoms that a body loses or gains change its mass and
-/// with it the reduced mass, for which that of the first frame stays. Throws InputError if a mass
-/// changes by more than 1 %, or times do not grow.
+/// From a motion table. `times` may be empty. Throws InputError if the reduced mass is not constant
+/// (atoms of a body lost or gained) or times do not grow.
 RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
                                const std::vector<double>& times);
 

@@ -83,13 +83,6 @@ void add_restitution(Document& document, const Restitution& restitution) {
     document.number("speed_after", restitution.speed_after);
 }
 
-void warn_of_motion(Document& document, const RelativeMotion& motion) {
-  if (motion.mass_change > 0)
-    document.warn(fmt::format("a body loses or gains atoms: up to {:.2g} of its mass; the force is made "
-                              "with the reduced mass of the first frame",
-                              motion.mass_change));
-}
-
 void warn_of_force(Document& document, const ForceCurve& curve) {
   if (curve.delta_max.value < 0)
     document.warn("delta is negative even at the greatest compression: the radius is smaller than "

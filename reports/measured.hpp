@@ -36,9 +36,6 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
 /// e, e_total and the speeds that they are ratios of, or why there are none.
 void add_restitution(Document& document, const Restitution& restitution);
 
-/// Warns if atoms were lost or gained.
-void warn_of_motion(Document& document, const RelativeMotion& motion);
-
 /// Warns where the numbers of a force curve do not mean what they seem to.
 void warn_of_force(Document& document, const ForceCurve& curve);
 

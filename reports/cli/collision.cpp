@@ -39,7 +39,6 @@ class Collision {
     tell_plasticity(document, material);
     if (energy_) add_energy(document, *energy_);
     if (setup_) tell_contact(document);
-    warn_of_motion(document, measured_.motion);
     warn_of_force(document, curve_);
   }
 

@@ -84,7 +84,6 @@ int run_command(const Values& values) {
   document.sweep(measured.swept, run.format);
   add_force(document, curve, source, radii);
   add_restitution(document, restitution(measured.motion, curve));
-  warn_of_motion(document, measured.motion);
   warn_of_force(document, curve);
   Table table = force_table(curve, measured.motion, measured.swept.tables[0]);
   if (compare) add_comparison(document, run, measured.motion, curve, source, table);

@@ -161,15 +161,5 @@ TEST(RelativeMotion, LostAtomsAreAnError) {
   EXPECT_INPUT_ERROR(relative_motion(table, {100, 200}, {}), "step 200", "differ");
 }
 
-TEST(RelativeMotion, AFewLostAtomsAreMeasured) {
-  Table table = motion_table({});
-  const Body one{2, {0, 0, 0}, {}, {}};
-  add_row(table, one, {6, {5, 0, 0}, {}, {}}, {});
-  add_row(table, one, {5.97, {5, 0, 0}, {}, {}}, {});
-  const RelativeMotion motion = relative_motion(table, {100, 200}, {});
-  EXPECT_NEAR(motion.mass_change, 0.005, 1e-12);
-  EXPECT_EQ(motion.reduced_mass, 1.5);
-}
-
 }  // namespace
 }  // namespace mdana
