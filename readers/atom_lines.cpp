@@ -108,7 +108,7 @@ class AtomLineFrames final : public FrameSource {
     try {
       const auto header = dump_.read_header(lines_, path_, found.number);
       same = header && header->step == found.frame.step && header->atoms == found.frame.atoms;
-    } catch (const InputError&) {
+    } catch (const InputError&) {  // no frame begins here: the index is not used
     }
     lines_.jump(found.frame.offset, found.frame.line);
     return same;

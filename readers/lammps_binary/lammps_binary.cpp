@@ -94,7 +94,7 @@ class LammpsBinary final : public FrameSource {
       const auto header = lammps_binary::read_header(file_, found.number);
       same = header && header->frame.step == found.frame.step &&
              header->frame.atoms == found.frame.atoms;
-    } catch (const InputError&) {
+    } catch (const InputError&) {  // no frame begins here: the index is not used
     }
     file_.jump(found.frame.offset);
     return same;
