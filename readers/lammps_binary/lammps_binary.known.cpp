@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <bit>
-#include <filesystem>
-#include <fstream>
-#include <random>
+#include <string>
 
-#include <fmt/format.h>
-
-#include "readers/known_answer.hpp"
-#include "readers/trajectory.hpp"
+#include "readers/known_dump.hpp"
 
 namespace mdana {
 
@@ -52,44 +47,12 @@ std::string dump() {
   return bytes;
 }
 
-/// Writes the dump to a file of its own, which is gone afterwards.
-class DumpFile {
- public:
-  DumpFile()
-      : path(std::filesystem::temp_directory_path() /
-             fmt::format("mdana-known-{:08x}.bin", std::random_device{}())) {
-    std::ofstream(path, std::ios::binary) << dump();
-  }
-  ~DumpFile() { std::filesystem::remove(path); }
-  DumpFile(const DumpFile&) = delete;
-  DumpFile& operator=(const DumpFile&) = delete;
-
-  const std::filesystem::path path;
-};
-
 }  // namespace
 
 std::vector<KnownAnswer> lammps_binary_known() {
-  const DumpFile file;
-  std::vector<KnownAnswer> answers;
-  const auto add = [&](std::string what, double computed, double exact) {
-    answers.push_back({std::move(what), computed, exact, 16});
-  };
-  const FrameHeader header =
-      for_first_frame(file.path, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
-        const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
-        add("x inside a tilted box", x[0], -4 + 0.5 * 8 + 0.25 * 2 + 0.125 * -1);
-        add("y inside a tilted box", y[0], -2 + 0.25 * 4 + 0.125 * 1);
-        add("z inside a tilted box", z[0], 0.125 * 16);
-        add("x with image flags", x[1], -4 + 8 + 2 - 1 + 8 + 2);
-        add("y with image flags", y[1], -2 + 4 + 1 - 2);
-        add("z with image flags", z[1], 16 - 32);
-        add("id", static_cast<double>(block.integer("id")[1]), 3);
-      });
-  add("step", static_cast<double>(header.step), 5e9);
-  add("time", header.time.value_or(-1), 0.375);
-  add("origin, x", header.box.origin.x(), -4);
-  return answers;
+  TiltedPair pair = read_tilted_pair(dump());
+  pair.add("time", pair.header.time.value_or(-1), 0.375);
+  return pair.answers;
 }
 
 }  // namespace mdana

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
-#include <fstream>
-#include <random>
-
-#include <fmt/format.h>
-
-#include "readers/known_answer.hpp"
-#include "readers/trajectory.hpp"
+#include "readers/known_dump.hpp"
 
 namespace mdana {
 
@@ -14,8 +7,6 @@ std::vector<KnownAnswer> lammps_yaml_known();
 
 namespace {
 
-// Edges a = (8, 0, 0), b = (2, 4, 0), c = (-1, 1, 16) from the corner (-4, -2, 0); the bounds are
-// those of the box around it: x from -4 - 1 to 4 + 2, y from -2 to 2 + 1.
 constexpr const char* dump = R"(---
 creator: LAMMPS
 timestep: 5000000000
@@ -38,44 +29,12 @@ data:
 ...
 )";
 
-/// Writes the dump to a file of its own, which is gone afterwards.
-class DumpFile {
- public:
-  DumpFile()
-      : path(std::filesystem::temp_directory_path() /
-             fmt::format("mdana-known-{:08x}.yaml", std::random_device{}())) {
-    std::ofstream(path) << dump;
-  }
-  ~DumpFile() { std::filesystem::remove(path); }
-  DumpFile(const DumpFile&) = delete;
-  DumpFile& operator=(const DumpFile&) = delete;
-
-  const std::filesystem::path path;
-};
-
 }  // namespace
 
 std::vector<KnownAnswer> lammps_yaml_known() {
-  const DumpFile file;
-  std::vector<KnownAnswer> answers;
-  const auto add = [&](std::string what, double computed, double exact) {
-    answers.push_back({std::move(what), computed, exact, 16});
-  };
-  const FrameHeader header =
-      for_first_frame(file.path, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
-        const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
-        add("x inside a tilted box", x[0], -4 + 0.5 * 8 + 0.25 * 2 + 0.125 * -1);
-        add("y inside a tilted box", y[0], -2 + 0.25 * 4 + 0.125 * 1);
-        add("z inside a tilted box", z[0], 0.125 * 16);
-        add("x with image flags", x[1], -4 + 8 + 2 - 1 + 8 + 2);
-        add("y with image flags", y[1], -2 + 4 + 1 - 2);
-        add("z with image flags", z[1], 16 - 32);
-        add("id", static_cast<double>(block.integer("id")[1]), 3);
-      });
-  add("step", static_cast<double>(header.step), 5e9);
-  add("time", header.time.value_or(0), 0.125);
-  add("origin, x", header.box.origin.x(), -4);
-  return answers;
+  TiltedPair pair = read_tilted_pair(dump);
+  pair.add("time", pair.header.time.value_or(0), 0.125);
+  return pair.answers;
 }
 
 }  // namespace mdana
