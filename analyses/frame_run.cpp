@@ -16,11 +16,10 @@ namespace mdana {
 
 FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
                      std::span<const std::unique_ptr<Analysis>> all,
-                     std::optional<Selection> of_atoms)
+                     const std::optional<Selection>& selection)
     : bodies(of_bodies),
       masses(of_masses),
       analyses(all),
-      selection(std::move(of_atoms)),
       centres(make_box_centres(of_bodies.count())) {
   for (const auto& analysis : analyses) {
     needs.push_back(analysis->needs());
@@ -29,7 +28,7 @@ FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
   }
   wanted.add(bodies.columns());
   wanted.add(masses.columns());
-  if (selection) wanted.add(selection->column());
+  if (selection) wanted.select(*selection);
 }
 
 class FrameRun::Rounds {
@@ -152,7 +151,6 @@ class FrameRun::Rounds {
     mdana::convert(*place.cut, place.block);
     if (plan_.last_digit_seed)
       move_last_digits(*place.cut, *header_, plan_.wanted, *plan_.last_digit_seed, place.block);
-    if (plan_.selection) plan_.selection->apply(place.block);
   }
 
   void analyse(Place& place, const FrameContext& context, const std::vector<Member>& members) {

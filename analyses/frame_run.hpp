@@ -27,12 +27,11 @@ class Interrupted : public std::runtime_error {
 /// What is done to every frame of a sweep.
 struct FramePlan {
   FramePlan(const Bodies& of_bodies, const Masses& of_masses,
-            std::span<const std::unique_ptr<Analysis>> all, std::optional<Selection> of_atoms = {});
+            std::span<const std::unique_ptr<Analysis>> all, const std::optional<Selection>& selection = {});
 
   const Bodies& bodies;
   const Masses& masses;
   std::span<const std::unique_ptr<Analysis>> analyses;
-  std::optional<Selection> selection;  ///< of atoms
   std::unique_ptr<Analysis> centres;  ///< of bodies in a periodic box, where they are needed
   std::vector<Needs> needs;           ///< of the analyses
   ColumnSet wanted;                   ///< by all of them

@@ -39,6 +39,9 @@ class AtomBlock {
   /// Keeps the atoms of these ascending indices only.
   void keep(std::span<const std::uint32_t> atoms);
 
+  /// Keeps the first `atoms` atoms only.
+  void shorten(std::size_t atoms) { reset(number_, atoms); }
+
   std::size_t bytes() const;  ///< memory held by the arrays
 
  private:

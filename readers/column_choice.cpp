@@ -15,13 +15,15 @@ bool is_position(const std::string& name) { return name == "x" || name == "y" ||
 }  // namespace
 
 ColumnChoice::ColumnChoice(const FrameHeader& frame, const ColumnSet& wanted) : box_(frame.box) {
-  if (wanted.as_they_stand()) {
-    for (const std::string& name : frame.columns) add(frame, name);
-    return;
+  const bool positions = !wanted.as_they_stand();  // x, y, z stand for them
+  if (positions && std::ranges::any_of(wanted.names(), is_position)) add_positions(frame);
+  const bool all = wanted.as_they_stand() && wanted.empty();
+  for (const std::string& name : all ? frame.columns : wanted.names())
+    if (!positions || !is_position(name)) add(frame, name);
+  if (wanted.selection()) {
+    selection_ = *wanted.selection();
+    add(frame, selection_->column());
   }
-  if (std::ranges::any_of(wanted.names(), is_position)) add_positions(frame);
-  for (const std::string& name : wanted.names())
-    if (!is_position(name)) add(frame, name);
   std::ranges::sort(columns_, {}, &Column::in_file);
 }
 
@@ -37,13 +39,15 @@ void ColumnChoice::add_positions(const FrameHeader& frame) {
 void ColumnChoice::add(const FrameHeader& frame, const std::string& name) {
   const auto it = std::ranges::find(frame.columns, name);
   if (it == frame.columns.end())
-    throw InputError(fmt::format("{}: this frame has no column '{}'", frame.place, name));
+    throw InputError(fmt::format("{}: this frame has no column '{}'; it has {}", frame.place, name,
+                                 fmt::join(frame.columns, " ")));
   const auto in_file = static_cast<std::size_t>(it - frame.columns.begin());
   if (std::ranges::find(columns_, in_file, &Column::in_file) == columns_.end())
     columns_.push_back({in_file, name, kind_of_column(name)});
 }
 
 void ColumnChoice::finish(AtomBlock& block) const {
+  if (selection_) selection_->apply(block);
   if (positions_) make_positions(*positions_, box_, block);
 }
 

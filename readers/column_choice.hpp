@@ -9,10 +9,11 @@
 #include "readers/columns.hpp"
 #include "readers/frame.hpp"
 #include "readers/positions.hpp"
+#include "readers/selection.hpp"
 
 namespace mdana {
 
-/// Which columns of a frame are to be read, and the positions that follow from them.
+/// Which columns and atoms of a frame are to be read, and the positions that follow from them.
 class ColumnChoice {
  public:
   struct Column {
@@ -28,7 +29,10 @@ class ColumnChoice {
 
   const std::vector<Column>& columns() const { return columns_; }  ///< in the frame's order
 
-  /// Makes x, y, z of a block that has the columns, if they are wanted.
+  const Selection* selection() const { return selection_ ? &*selection_ : nullptr; }  ///< null: all
+
+  /// Of a block that has the columns: takes the atoms out that are not selected, and makes x, y, z
+  /// if they are wanted.
   void finish(AtomBlock& block) const;
 
  private:
@@ -36,6 +40,7 @@ class ColumnChoice {
   void add_positions(const FrameHeader& frame);
 
   std::vector<Column> columns_;
+  std::optional<Selection> selection_;
   std::optional<PositionSource> positions_;  ///< of wanted positions
   Box box_;
 };

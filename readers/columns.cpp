@@ -4,11 +4,17 @@
 #include <algorithm>
 #include <array>
 
+#include "readers/selection.hpp"
+
 namespace mdana {
 
 void ColumnSet::add(std::string_view name) {
   const auto place = std::lower_bound(names_.begin(), names_.end(), name);
   if (place == names_.end() || *place != name) names_.emplace(place, name);
+}
+
+void ColumnSet::select(const Selection& atoms) {
+  selection_ = std::make_shared<const Selection>(atoms);
 }
 
 bool ColumnSet::has(std::string_view name) const {

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace mdana {
 
-/// Names of atom columns, sorted and unique. `x y z` mean positions in length units, unscaled and
+class Selection;
+
+/// What is wanted of the atoms: names of columns, sorted and unique, and which atoms, if not all. `x y z` mean positions in length units, unscaled and
 /// unwrapped as far as the dump allows, however the dump spells them (x, xs, xu, xsu); every other
 /// name is that of the dump (vx, fx, id, type, mol, mass, c_pe, ...).
 class ColumnSet {
@@ -18,12 +21,17 @@ class ColumnSet {
     for (std::string_view name : names) add(name);
   }
 
-  /// Every column that a frame has, as it stands there: positions as the dump spells them.
+  /// Columns as they stand in the dump, positions as it spells them: those that are added, or all
+  /// that a frame has if none is.
   static ColumnSet all_as_they_stand() {
     ColumnSet all;
     all.as_they_stand_ = true;
     return all;
   }
+
+  /// Only these atoms are wanted; the column that the selection looks at is then read besides.
+  void select(const Selection& atoms);
+  const Selection* selection() const { return selection_.get(); }  ///< null: all atoms
 
   void add(std::string_view name);
   void add(const ColumnSet& other) {
@@ -37,6 +45,7 @@ class ColumnSet {
  private:
   bool as_they_stand_ = false;
   std::vector<std::string> names_;
+  std::shared_ptr<const Selection> selection_;
 };
 
 /// What a column holds, by its name: id, type, mol, proc, procp1, ix, iy, iz are whole numbers,

@@ -17,6 +17,7 @@ class Selection {
   explicit Selection(const std::string& text);
 
   const std::string& column() const { return column_; }
+  bool holds(std::int64_t value) const;
   const std::string& text() const { return text_; }
 
   /// Takes the other atoms out of the block; the order stays.
@@ -26,7 +27,6 @@ class Selection {
   struct Range {
     std::int64_t first, last;  ///< inclusive
   };
-  bool holds(std::int64_t value) const;
 
   std::string text_;
   std::string column_;

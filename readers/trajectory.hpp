@@ -28,7 +28,7 @@ FrameHeader first_header(const std::filesystem::path& path);
 template <class Use>
 FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted, Use&& use,
                             const std::optional<Selection>& selection = {}) {
-  if (selection) wanted.add(selection->column());
+  if (selection) wanted.select(*selection);
   const auto source = open_trajectory(path, wanted);
   FrameHeader header;
   if (!source->next(header)) return header;
@@ -36,7 +36,6 @@ FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted,
   AtomBlock block;
   while (source->cut(chunk)) {
     convert(chunk, block);
-    if (selection) selection->apply(block);
     use(static_cast<const AtomBlock&>(block));
   }
   return header;

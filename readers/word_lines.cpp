@@ -2,8 +2,10 @@
 #include "readers/word_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -78,6 +80,7 @@ class WordLines::Conversion {
       shape_.wanted.push_back(static_cast<std::uint32_t>(column.in_file));
       targets_.push_back(target(column, block));
     }
+    selecting_ = faults ? std::nullopt : selecting_column();
     batches_.resize(targets_.size());
   }
 
@@ -86,7 +89,7 @@ class WordLines::Conversion {
     for (std::size_t done = 0; done < chunk_.atoms;) {
       const std::size_t lines = std::min(TokenBatch::capacity, chunk_.atoms - done);
       const LineKernel::Scanned scanned = layout_.kernel_.scan(c.at, lines, shape_, batches_.data());
-      for (std::size_t k = 0; k < targets_.size(); ++k) column(c.at, k, done, scanned.lines);
+      batch(c.at, done, scanned.lines);
       if (!met_.empty()) tell_met();
       c.at = scanned.end;
       done += scanned.lines;
@@ -95,7 +98,18 @@ class WordLines::Conversion {
     if (!met_.empty()) tell_met();
   }
 
+  /// That were converted, one behind the other: all, or those that are selected.
+  std::size_t atoms() const { return atoms_; }
+
  private:
+  std::optional<std::size_t> selecting_column() const {
+    const auto& columns = layout_.choice_.columns();
+    if (!layout_.choice_.selection()) return std::nullopt;
+    const auto it = std::ranges::find(columns, layout_.choice_.selection()->column(),
+                                      &ColumnChoice::Column::name);
+    return static_cast<std::size_t>(it - columns.begin());
+  }
+
   /// Where a column goes: one of the three.
   struct Target {
     double* real = nullptr;
@@ -112,27 +126,62 @@ class WordLines::Conversion {
     return {block.make_real(column.name).data(), nullptr, nullptr};
   }
 
-  void column(const char* text, std::size_t k, std::size_t first, std::size_t lines) {
+  /// Lines of the chunk from `first` on, whose tokens are in the batches.
+  void batch(const char* text, std::size_t first, std::size_t lines) {
+    for (std::size_t i = 0; i < lines; ++i) lines_[i] = first + i;
+    if (selecting_) lines = select(text, lines);
+    for (std::size_t k = 0; k < targets_.size() && lines > 0; ++k) column(text, k, lines);
+    atoms_ += lines;
+  }
+
+  /// Moves the tokens of selected atoms to the front of the batches. Returns how many there are.
+  std::size_t select(const char* text, std::size_t lines) {
+    column(text, *selecting_, lines);
+    const Selection& selection = *layout_.choice_.selection();
+    std::size_t selected = 0;
+    for (std::size_t i = 0; i < lines; ++i) {
+      if (!selection.holds(targets_[*selecting_].integer[atoms_ + i])) continue;
+      for (TokenBatch& tokens : batches_) {
+        tokens.offset[selected] = tokens.offset[i];
+        tokens.length[selected] = tokens.length[i];
+      }
+      lines_[selected++] = lines_[i];
+    }
+    return selected;
+  }
+
+  void column(const char* text, std::size_t k, std::size_t lines) {
     const Target& t = targets_[k];
     const TokenBatch& tokens = batches_[k];
     std::uint64_t left = lines == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << lines) - 1;
-    if (t.real) left = layout_.kernel_.reals(text, tokens, lines, t.real + first);
-    if (t.integer) left = layout_.kernel_.integers(text, tokens, lines, t.integer + first);
+    if (t.real) left = layout_.kernel_.reals(text, tokens, lines, t.real + atoms_);
+    if (t.integer) left = layout_.kernel_.integers(text, tokens, lines, t.integer + atoms_);
     for (; left; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      token({text + tokens.offset[i], tokens.length[i]}, k, first + i);
+      token({text + tokens.offset[i], tokens.length[i]}, k, lines_[i], atoms_ + i);
     }
   }
 
-  void line(Cursor& c, std::size_t atom) {
+  void line(Cursor& c, std::size_t line) {
     const std::vector<std::string_view> tokens = take_line(c);
-    if (tokens.size() != shape_.columns)
-      return wrong(FaultKind::line, atom, {},
-                   fmt::format("{} columns (the header names {})", tokens.size(), shape_.columns));
-    for (std::size_t k = 0; k < targets_.size(); ++k) token(tokens[shape_.wanted[k]], k, atom);
+    const std::size_t atom = atoms_;
+    if (tokens.size() != shape_.columns) {
+      wrong(FaultKind::line, line, {},
+            fmt::format("{} columns (the header names {})", tokens.size(), shape_.columns));
+    } else {
+      if (selecting_ && !is_selected(tokens, line)) return;
+      for (std::size_t k = 0; k < targets_.size(); ++k)
+        token(tokens[shape_.wanted[k]], k, line, atom);
+    }
+    ++atoms_;
   }
 
-  void token(std::string_view text, std::size_t k, std::size_t atom) {
+  bool is_selected(const std::vector<std::string_view>& tokens, std::size_t line) {
+    token(tokens[shape_.wanted[*selecting_]], *selecting_, line, atoms_);
+    return layout_.choice_.selection()->holds(targets_[*selecting_].integer[atoms_]);
+  }
+
+  void token(std::string_view text, std::size_t k, std::size_t line, std::size_t atom) {
     const Target& t = targets_[k];
     if (t.text) {
       t.text[atom] = text;
@@ -142,15 +191,16 @@ class WordLines::Conversion {
     double number = 0;
     const bool real = t.real || !parse_number(text, number);
     const std::string& name = layout_.choice_.columns()[k].name;
-    wrong(real ? FaultKind::word : FaultKind::not_whole, atom, name,
+    wrong(real ? FaultKind::word : FaultKind::not_whole, line, name,
           fmt::format("'{}' in column {} is not {}", text.substr(0, 40), name,
                       t.real ? "a number" : "a whole number in range"));
   }
 
-  void wrong(FaultKind kind, std::size_t atom, const std::string& column, std::string what) {
-    const std::uint64_t line = chunk_.first_line + atom;
+  /// In a line of the chunk, from 0.
+  void wrong(FaultKind kind, std::size_t in_chunk, const std::string& column, std::string what) {
+    const std::uint64_t line = chunk_.first_line + in_chunk;
     if (!faults_) throw InputError(fmt::format("{}:{}: {}", layout_.path_, line, what));
-    faults_->spoil(atom, chunk_.atoms);
+    faults_->spoil(in_chunk, chunk_.atoms);
     Fault fault;
     fault.kind = kind;
     fault.what = std::move(what);
@@ -174,11 +224,16 @@ class WordLines::Conversion {
   LineShape shape_;
   std::vector<Target> targets_;
   std::vector<TokenBatch> batches_;
+  std::array<std::size_t, TokenBatch::capacity> lines_{};  ///< of the tokens of a batch, in the chunk
+  std::optional<std::size_t> selecting_;  ///< the target that the selection looks at
+  std::size_t atoms_ = 0;
 };
 
 void WordLines::convert(const Chunk& chunk, AtomBlock& block) const {
   block.reset(chunk.number, chunk.atoms);
-  Conversion(*this, chunk, block).run();
+  Conversion conversion(*this, chunk, block);
+  conversion.run();
+  block.shorten(conversion.atoms());
   choice_.finish(block);
 }
 

@@ -38,6 +38,18 @@ void written(Work&& work) {
   }
 }
 
+/// What is written, and what that is made of; none is named if all columns are written.
+ColumnSet wanted(const Conversion& conversion) {
+  ColumnSet columns = ColumnSet::all_as_they_stand();
+  for (const std::string& name : conversion.columns) columns.add(name);
+  if (!columns.empty()) {
+    for (const AddedColumns& added : conversion.added) columns.add(added.needs);
+    if (!conversion.sort.empty()) columns.add(conversion.sort);
+  }
+  if (conversion.selection) columns.select(*conversion.selection);
+  return columns;
+}
+
 /// One pass over the dump.
 class Pass {
  public:
@@ -45,7 +57,7 @@ class Pass {
   Pass(const Conversion& conversion, const fs::path& output, std::optional<std::uint64_t> most)
       : conversion_(conversion),
         most_(most),
-        source_(open_trajectory(conversion.dump, ColumnSet::all_as_they_stand())),
+        source_(open_trajectory(conversion.dump, wanted(conversion))),
         writer_(conversion.format->create(output)),
         places_(conversion.threads <= 1 ? 1 : 2 * conversion.threads) {}
 
@@ -122,9 +134,7 @@ class Pass {
       out.time = static_cast<double>(header_.step) * *conversion_.timestep;
     if (conversion_.omit_time) out.time.reset();
     if (!conversion_.columns.empty()) out.columns = conversion_.columns;
-    for (const std::string& name : conversion_.columns) need(name);
     if (!conversion_.sort.empty()) need(conversion_.sort);
-    if (conversion_.selection) need(conversion_.selection->column());
     for (const AddedColumns& added : conversion_.added) {
       check_added(added, header_);
       out.columns.insert(out.columns.end(), added.names.begin(), added.names.end());
@@ -145,7 +155,6 @@ class Pass {
     pipeline.produce = [&](std::size_t slot) { return source_->cut(places_[slot].chunk); };
     pipeline.work = [&](std::size_t slot) {
       mdana::convert(places_[slot].chunk, places_[slot].block);
-      if (conversion_.selection) conversion_.selection->apply(places_[slot].block);
       add_columns(places_[slot].block);
     };
     pipeline.collect = [&](std::size_t slot) {
