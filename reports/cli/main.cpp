@@ -64,8 +64,10 @@ int run(const Command& command, int argc, char** argv) {
     return done;
   }
   po::notify(values);  // required options; after help, which needs none
-  if (!values.count("input"))
+  if (!command.positional.empty() && !values.count("input"))
     throw UsageError(fmt::format("{} is missing", command.positional));
+  if (command.positional.empty() && values.count("input"))
+    throw UsageError(fmt::format("{}: {} reads no file", values["input"].as<std::string>(), command.name));
   catch_signals();
   return command.run(values);
 }

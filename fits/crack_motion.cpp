@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fits/contact_motion.hpp"
+#include "fits/crack_system.hpp"
+
+namespace mdana {
+namespace {
+
+using Stepper = Radau<CrackSystem>;
+using Full = Stepper::Full;
+
+constexpr double pull_off_energy = 0.0733762247098862;  // U at u = 6^(-2/3) of the JKR curve
+constexpr double least_energy = -1.2;                   // U at equilibrium, u = d = 1
+
+/// One collision: the branches of the crack law one after the other.
+class CrackCollision {
+ public:
+  CrackCollision(const CrackContact& contact, const MotionSettings& settings)
+      : contact_(contact),
+        settings_(settings),
+        system_(system_of(contact)),
+        integration_(start(contact), scale_of(contact.w0), settings.tolerance,
+                     1e-3 / system_.c, settings.limits) {
+    energy_ = first_energy_ = system_.energy(integration_.stepper.y().data());
+    if (!settings.sensitivities) return;
+    Stepper::Derivatives by = Stepper::Derivatives::Zero();
+    by(0, 0) = 1;
+    integration_.stepper.keep_derivatives(by);
+  }
+
+  ContactMotion run();
+
+ private:
+  static CrackSystem system_of(const CrackContact& contact);
+  static Full start(const CrackContact& contact);
+  static Stepper::States scale_of(double w0);
+
+  bool go_on();
+  void observe(const Stepper& stepper);
+  bool settled(const Full& y);
+  void turn(Full& y);
+  bool reach_end_of_branch(Full& y);
+  bool cross(Full& y, CrackBranch to, double z);
+  void detach(const Full& y);
+  void stick();
+  void give_up(SegmentEnd end);
+
+  double w() const { return integration_.stepper.y()[0]; }
+  /// Derivatives by the parameters of a function of y that has that gradient.
+  ContactMotion::Gradient derivative(const Full& by_y) const;
+
+  CrackContact contact_;
+  MotionSettings settings_;
+  CrackSystem system_;
+  Integration<CrackSystem> integration_;
+  ContactMotion motion_;
+  double energy_ = 0, first_energy_ = 0;
+  bool turned_ = false;
+};
+
+CrackSystem CrackCollision::system_of(const CrackContact& contact) {
+  CrackSystem system;
+  system.p = {contact.w0, contact.lam, contact.kap, contact.b, contact.zeta};
+  system.stress = contact.stress;
+  system.stress_in_crack = contact.stress_in_crack;
+  system.c = 1 + contact.w0;
+  system.branch = contact.start_on_curve ? CrackBranch::below : CrackBranch::low;
+  return system;
+}
+
+/// d = 0 at beta = 0.02, u^3 = 0.08/9, or at beta = 1.
+Full CrackCollision::start(const CrackContact& contact) {
+  Full y = Full::Zero();
+  y[0] = contact.w0;
+  y[1] = contact.start_on_curve ? std::pow(2.0 / 3.0, 2.0 / 3.0) : std::cbrt(0.08 / 9);
+  return y;
+}
+
+Stepper::States CrackCollision::scale_of(double w0) {
+  return {std::max(1.0, w0), std::max(1.0, std::pow(w0 * w0 / 9.6, 0.2)), 1.0};
+}
+
+ContactMotion CrackCollision::run() {
+  for (int segments = 0; segments < 10000 && go_on(); ++segments) {
+  }
+  if (motion_.outcome == CollisionOutcome::unresolved && motion_.reason.empty())
+    motion_.reason = "the contact passes between branches of the crack law without end";
+  motion_.evaluations = integration_.stepper.evaluations();
+  return std::move(motion_);
+}
+
+/// One segment; false at the end of the collision.
+bool CrackCollision::go_on() {
+  const SegmentEnd end = integration_.run(
+      system_, [&](const Stepper& s) { observe(s); }, [&](const Full& y) { return settled(y); });
+  Full y = integration_.stepper.y();
+  motion_.u_max = std::max(motion_.u_max, y[1]);
+  if (end == SegmentEnd::done) return stick(), false;
+  if (end != SegmentEnd::event) return give_up(end), false;
+  if (integration_.event == 0)
+    turn(y);
+  else if (!reach_end_of_branch(y))
+    return false;
+  integration_.stepper.restart(y);
+  return motion_.outcome == CollisionOutcome::unresolved;
+}
+
+void CrackCollision::observe(const Stepper& stepper) {
+  const Full& end = stepper.end();
+  energy_ = system_.energy(end.data());
+  const double residual = std::abs(energy_ + end[4] - first_energy_) /
+                          std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
+  motion_.residual = std::max(motion_.residual, residual);
+  if (!settings_.trajectory) return;
+  for (int i = 0; i < Stepper::stages; ++i) {
+    const Full y = stepper.stage(i);
+    motion_.trajectory.push_back({y[3], system_.d(y.data()), y[0], y[1], system_.force(y.data())});
+  }
+}
+
+/// Near equilibrium with no speed to speak of: a contact that only creeps.
+bool CrackCollision::settled(const Full& y) {
+  motion_.u_max = std::max(motion_.u_max, y[1]);
+  return energy_ - least_energy < 1e-9;
+}
+
+ContactMotion::Gradient CrackCollision::derivative(const Full& by_y) const {
+  ContactMotion::Gradient g = ContactMotion::Gradient::Zero();
+  g.head<Stepper::np>() = integration_.stepper.derivatives().transpose() * by_y;
+  return g;
+}
+
+/// w through zero: greatest compression at first, then, if the energy is negative, the spheres
+/// stick: with a free contact radius nothing else proves it.
+void CrackCollision::turn(Full& y) {
+  y[0] = 0;
+  if (!turned_) {
+    motion_.d_max = system_.d(y.data());
+    motion_.t_max = y[3];
+    if (settings_.sensitivities) {
+      const double h = system_.excess(y.data()), u = y[1];
+      Full by_d = Full::Zero(), by_t = Full::Zero();
+      by_d[1] = 6 * u - 0.5 * h / u;
+      by_d[2] = -0.5 * h;
+      by_t[3] = 1;
+      motion_.by_d_max = derivative(by_d);
+      motion_.by_t_max = derivative(by_t);
+    }
+    turned_ = true;
+  } else if (system_.after_turn && energy_ < 0) {
+    stick();
+  }
+  system_.after_turn = !system_.after_turn;
+}
+
+/// At an end of a branch: on in the next one, along the join, or detachment at beta = 50.
+bool CrackCollision::reach_end_of_branch(Full& y) {
+  const bool up = integration_.event == 2;
+  const CrackBranch here = system_.branch;
+  if (system_.sliding) {
+    system_.sliding = false;
+    const double z = system_.upper() + crack::reference(here);
+    return up ? cross(y, CrackSystem::next(here), z) : cross(y, here, z);
+  }
+  if (up && here == CrackBranch::high) return detach(y), false;
+  if (!up && here == CrackBranch::low) {
+    motion_.reason = "the contact leaves the range of the crack law, beta < 0.02";
+    return false;
+  }
+  const CrackBranch lower = up ? here : static_cast<CrackBranch>(static_cast<int>(here) - 1);
+  const CrackBranch upper = CrackSystem::next(lower);
+  CrackSystem at_join = system_;
+  at_join.branch = lower;
+  const double z = at_join.upper() + crack::reference(lower);
+  if (lower == CrackBranch::below) return cross(y, up ? upper : lower, z);  // beta = 1: f = 0 on both
+  y[2] = at_join.upper();
+  const double onward = at_join.drift(y.data(), system_.p.data(), up ? upper : lower);
+  if (up ? onward > 0 : onward < 0) return cross(y, up ? upper : lower, z);
+  system_.sliding = true;
+  return cross(y, lower, z);
+}
+
+bool CrackCollision::cross(Full& y, CrackBranch to, double z) {
+  system_.branch = to;
+  y[2] = z - crack::reference(to);
+  return true;
+}
+
+void CrackCollision::detach(const Full& y) {
+  const double w0 = contact_.w0;
+  motion_.e_squared = -y[0] * std::abs(y[0]) / (w0 * w0);
+  if (y[0] < 0) {
+    motion_.outcome = CollisionOutcome::bounce;
+    motion_.t_end = y[3];
+  } else {  // at rest or approaching: they touch again, slower
+    motion_.outcome = CollisionOutcome::stick;
+    motion_.reason = "the contact breaks while the spheres approach";
+  }
+  if (!settings_.sensitivities) return;
+  Full by = Full::Zero();
+  by[0] = -2 * std::abs(y[0]) / (w0 * w0);
+  motion_.by_e_squared = derivative(by);
+  motion_.by_e_squared[0] -= 2 * motion_.e_squared / w0;
+}
+
+void CrackCollision::stick() {
+  const double w0 = contact_.w0;
+  const Full& y = integration_.stepper.y();
+  motion_.outcome = CollisionOutcome::stick;
+  motion_.reason = "bound: kinetic and potential energy are below zero";
+  motion_.e_squared = std::min(0.0, 2 * (energy_ - pull_off_energy) / (w0 * w0));
+  if (!settings_.sensitivities) return;
+  const double u = y[1], h = system_.excess(y.data());
+  Full by = Full::Zero();  // of w^2/2 + 4.8 u^5 - 4 h u^3 + h^2 u - 2 u^2, with h = 2 exp(q/2) sqrt(u)
+  const double by_h = -4 * u * u * u + 2 * h * u;
+  by[0] = y[0];
+  by[1] = 24 * u * u * u * u - 12 * h * u * u + h * h - 4 * u + by_h * 0.5 * h / u;
+  by[2] = by_h * 0.5 * h;
+  motion_.by_e_squared = derivative(by) * (2 / (w0 * w0));
+  motion_.by_e_squared[0] -= 2 * motion_.e_squared / w0;
+}
+
+void CrackCollision::give_up(SegmentEnd end) {
+  if (energy_ < 0 && turned_) return stick();
+  switch (end) {
+    case SegmentEnd::out_of_time: motion_.reason = "the time limit is reached"; break;
+    case SegmentEnd::out_of_steps: motion_.reason = "too many steps"; break;
+    default: motion_.reason = "no step is small enough for the tolerance";
+  }
+}
+
+}  // namespace
+
+ContactMotion move(const CrackContact& contact, const MotionSettings& settings) {
+  return CrackCollision(contact, settings).run();
+}
+
+}  // namespace mdana
