@@ -1,50 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws of the force laws: every member of the list, and each against independent formulas.
+// Laws of the force laws: every member of the list, on loading and on unloading.
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
-#include "fits/force_law.hpp"
+#include "readers/input_error.hpp"
+#include "tests/fits/contacts.hpp"
 
 namespace mdana {
 namespace {
 
-const ElasticContact lj{73.5, 65.5, 3.17};    // P1, R = 147
-const ElasticContact ice{5e-8, 3.7e9, 0.1};   // SI, grains of 0.1 um
-const ElasticContact stiff{1e6, 1e12, 1e-3};  // almost no adhesion
+using namespace test;
 
-double jkr_radius(const ElasticContact& c) {
-  return std::cbrt(9 * std::numbers::pi * c.surface_energy * c.radius * c.radius / c.modulus);
-}
-double jkr_delta(const ElasticContact& c) { return jkr_radius(c) * jkr_radius(c) / (3 * c.radius); }
-double pull_off_force(const ElasticContact& c) {
-  return 3 * std::numbers::pi * c.surface_energy * c.radius;
+/// One branch of one law, up to the greatest delta.
+struct Case {
+  const ForceLaw* law;
+  const ForceBranch* branch;
+  ElasticContact contact;
+
+  double least() const { return branch->least_delta(contact); }
+  double greatest() const { return contact.delta_max; }
+  bool loading() const { return branch == static_cast<const ForceBranch*>(law); }
+  std::string text() const {
+    return std::string(law->name) + (loading() ? " loading" : " unloading") + ", R* " +
+           std::to_string(contact.radius) + ", turn " + std::to_string(greatest() / contact.radius);
+  }
+};
+
+/// All branches of all laws, with turning points below and far beyond yield.
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const ForceLaw* law : force_laws())
+    for (ElasticContact c : {lj, ice, stiff, weak})
+      for (const double turn : {0.02, 3.0, 1e3}) {
+        c.delta_max = turn * std::max(jkr_delta(c), yield_delta(c));
+        all.push_back({law, law, c});
+        if (law->unloading) all.push_back({law, law->unloading, c});
+      }
+  return all;
 }
 
-/// Energy of a contact at u on the JKR curve (physics sheet: U = 24/5 u^5 - 8 u^3.5 + 2 u^2).
-double jkr_energy(double u) { return 4.8 * std::pow(u, 5) - 8 * std::pow(u, 3.5) + 2 * u * u; }
+/// Calls use(delta) from just above the least delta to the greatest, in steps of a third.
+template <class Use>
+void for_deltas(const Case& k, Use&& use) {
+  const double range = k.greatest() - k.least();
+  for (double part = 1; part > 1e-5; part *= 0.7312) use(k.least() + part * range);
+}
 
 TEST(ForceLaws, AreFoundByName) {
   for (const ForceLaw* law : force_laws()) {
     EXPECT_EQ(find_force_law(law->name), law);
     EXPECT_FALSE(law->summary.empty());
+    EXPECT_FALSE(law->parameters.empty());
   }
   EXPECT_EQ(find_force_law("none"), nullptr);
 }
 
-// Beyond the least delta there is no force and no contact, above it there is.
-TEST(ForceLaws, ContactBeginsAtTheLeastDelta) {
-  for (const ForceLaw* law : force_laws())
-    for (const ElasticContact& c : {lj, ice, stiff}) {
-      const double least = law->least_delta(c), step = 1e-6 * jkr_delta(c);
-      EXPECT_EQ(law->force(least - step, c), 0) << law->name;
-      EXPECT_EQ(law->contact_radius(least - step, c), 0) << law->name;
-      EXPECT_NE(law->force(least + step, c), 0) << law->name;
-      EXPECT_GT(law->contact_radius(least + step, c), 0) << law->name;
-    }
+void expect_named(const ForceLaw& law, const ContactParameter& p, double wrong) {
+  ElasticContact c = lj;
+  c.*p.value = wrong;
+  try {
+    require_parameters(law, c);
+    ADD_FAILURE() << law.name << " takes " << p.name << " = " << wrong;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(p.name), std::string::npos) << error.what();
+  }
 }
 
+TEST(ForceLaws, ParametersOutOfRangeAreNamed) {
+  for (const ForceLaw* law : force_laws()) {
+    EXPECT_NO_THROW(require_parameters(*law, lj)) << law->name;
+    for (const ContactParameter& p : law->parameters) {
+      for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) expect_named(*law, p, wrong);
+      if (!p.zero_allowed) expect_named(*law, p, 0);
+    }
+    ElasticContact plain = lj;
+    plain.surface_energy = 0;
+    EXPECT_NO_THROW(require_parameters(*law, plain)) << law->name;
+  }
+}
+
+// Beyond the least delta there is no force and no contact, above it there is.
+TEST(ForceLaws, ContactBeginsAtTheLeastDelta) {
+  for (const Case& k : cases()) {
+    const double least = k.least(), step = 1e-6 * (k.greatest() - least);
+    const ForceBranch& b = *k.branch;
+    EXPECT_EQ(b.force(least - step, k.contact), 0) << k.text();
+    EXPECT_EQ(b.contact_radius(least - step, k.contact), 0) << k.text();
+    EXPECT_EQ(b.energy(least - step, k.contact), 0) << k.text();
+    EXPECT_EQ(b.stiffness(least - step, k.contact), 0) << k.text();
+    EXPECT_EQ(b.pressure(0, least - step, k.contact), 0) << k.text();
+    EXPECT_NE(b.force(least + step, k.contact), 0) << k.text();
+    EXPECT_GT(b.contact_radius(least + step, k.contact), 0) << k.text();
+  }
+}
+
+// Not the weak one: its yielding contact pulls harder the wider it is.
 TEST(ForceLaws, GrowWithDelta) {
   for (const ForceLaw* law : force_laws())
     for (const ElasticContact& c : {lj, ice, stiff}) {
@@ -60,102 +115,151 @@ TEST(ForceLaws, GrowWithDelta) {
     }
 }
 
-// By dimension F = E* L^2 f(delta/L, gamma/(E* L)): lengths and pressures times powers of two.
-// Eight times the length is exact in a cube root too, other powers are so to rounding.
-TEST(ForceLaws, ScaleWithLengthAndPressure) {
-  for (const ForceLaw* law : force_laws())
-    for (const double l : {0x1p-30, 0x1p-7, 0x1p+21})
+// By dimension F = E* L^2 f(delta/L, gamma/(E* L), ...): lengths and pressures times powers of two
+// change the exponents and no other bit, of every function of every branch.
+TEST(ForceLaws, PowersOfTwoScaleEveryNumberExactly) {
+  for (const Case& k : cases())
+    for (const double l : {0x1p-31, 0x1p-7, 0x1p+20})
       for (const double p : {0x1p-10, 0x1p+33}) {
-        const ElasticContact scaled{lj.radius * l, lj.modulus * p, lj.surface_energy * p * l};
-        for (const double delta : {-1.0, 0.0, 0.5, 30.0}) {
-          const double force = law->force(delta, lj) * (p * l * l);
-          EXPECT_NEAR(law->force(delta * l, scaled), force, 1e-14 * std::abs(force)) << law->name;
-          const double a = law->contact_radius(delta, lj) * l;
-          EXPECT_NEAR(law->contact_radius(delta * l, scaled), a, 1e-14 * a) << law->name;
-        }
+        const ElasticContact& c = k.contact;
+        const ElasticContact scaled{c.radius * l,         c.modulus * p, c.surface_energy * p * l,
+                                    c.yield_strength * p, c.spacing * l, c.delta_max * l};
+        const auto same = [&](double value, double unit, double other) {
+          EXPECT_EQ(std::bit_cast<std::uint64_t>(value * unit), std::bit_cast<std::uint64_t>(other))
+              << k.text();
+        };
+        const ForceBranch& b = *k.branch;
+        same(b.least_delta(c), l, b.least_delta(scaled));
+        for_deltas(k, [&](double d) {
+          same(b.force(d, c), p * l * l, b.force(d * l, scaled));
+          same(b.contact_radius(d, c), l, b.contact_radius(d * l, scaled));
+          same(b.pressure_radius(d, c), l, b.pressure_radius(d * l, scaled));
+          same(b.stiffness(d, c), p * l, b.stiffness(d * l, scaled));
+          same(b.energy(d, c), p * l * l * l, b.energy(d * l, scaled));
+          const double r = 0.3 * b.contact_radius(d, c);
+          same(b.pressure(r, d, c), p, b.pressure(r * l, d * l, scaled));
+        });
       }
 }
 
-// F is the derivative of the energy 8/15 E* sqrt(R*) delta^2.5; central differences at a step of
-// 1e-5 delta: 1e-10 of truncation, 1e-16/1e-5 of rounding.
-TEST(Hertz, ForceIsTheDerivativeOfTheEnergy) {
-  const ForceLaw& hertz = *find_force_law("hertz");
-  for (const ElasticContact& c : {lj, ice})
-    for (double delta = 1e-3 * jkr_delta(c); delta < 10 * jkr_delta(c); delta *= 2) {
-      const auto energy = [&](double d) {
-        return 8.0 / 15 * c.modulus * std::sqrt(c.radius) * std::pow(d, 2.5);
-      };
-      const double slope =
-          (energy(delta * (1 + 1e-5)) - energy(delta * (1 - 1e-5))) / (2e-5 * delta);
-      EXPECT_NEAR(hertz.force(delta, c) / slope, 1, 1e-9);
+/// Slope by five points at steps h: truncation h^4/30 of the fifth derivative.
+template <class Function>
+double slope(const Function& f, double x, double h) {
+  return (8 * (f(x + h) - f(x - h)) - (f(x + 2 * h) - f(x - 2 * h))) / (12 * h);
+}
+
+// Steps of 1e-3 of the way from the least delta, where the functions can have roots: 1e-11 of the
+// slope; and the rounding of the values (and of delta) over a step.
+template <class Function, class Slope>
+void expect_slope(const Case& k, const Function& f, const Slope& derivative) {
+  for_deltas(k, [&](double d) {
+    const double h = 1e-3 * (d - k.least());
+    const double exact = derivative(d), numeric = slope(f, d, h);
+    const double rounding = 2e-15 * (std::abs(f(d)) + std::abs(exact * d)) / h;
+    EXPECT_NEAR(numeric, exact, 1e-9 * std::abs(exact) + rounding)
+        << k.text() << " delta " << d / k.greatest();
+  });
+}
+
+TEST(ForceLaws, ForceIsTheDerivativeOfTheEnergy) {
+  for (const Case& k : cases())
+    expect_slope(
+        k, [&](double d) { return k.branch->energy(d, k.contact); },
+        [&](double d) { return k.branch->force(d, k.contact); });
+}
+
+TEST(ForceLaws, StiffnessIsTheDerivativeOfTheForce) {
+  for (const Case& k : cases())
+    expect_slope(
+        k, [&](double d) { return k.branch->force(d, k.contact); },
+        [&](double d) { return k.branch->stiffness(d, k.contact); });
+}
+
+/// int p dA and int |p| dA: over the contact with r = a sin(phi), which lifts the root at its rim,
+/// and over a cohesive zone.
+std::pair<double, double> pressure_integral(const Case& k, double delta) {
+  const double a = k.branch->contact_radius(delta, k.contact),
+               c = k.branch->pressure_radius(delta, k.contact);
+  const auto integral = [&](const auto& value) {
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+    const auto p = [&](double r) { return value(k.branch->pressure(r, delta, k.contact)); };
+    const double inner = Rule::integrate(
+        [&](double phi) { return p(a * std::sin(phi)) * std::sin(phi) * std::cos(phi); }, 0.0,
+        std::numbers::pi / 2, 20, 1e-13);
+    const double zone =
+        c > a ? Rule::integrate([&](double r) { return p(r) * (r / a); }, a, c, 5, 1e-13) / a : 0;
+    return 2 * std::numbers::pi * a * a * (inner + zone);
+  };
+  return {integral([](double p) { return p; }), integral([](double p) { return std::abs(p); })};
+}
+
+// 1e-10 of the attractive and repulsive parts, which cancel in an adhesive contact.
+TEST(ForceLaws, PressureOverTheContactIsTheForce) {
+  for (const Case& k : cases())
+    for_deltas(k, [&](double d) {
+      const auto [net, sum] = pressure_integral(k, d);
+      double force = k.branch->force(d, k.contact);
+      if (k.law->name == "dmt")  // its attraction acts outside the contact
+        force += 4 * std::numbers::pi * k.contact.surface_energy * k.contact.radius;
+      EXPECT_NEAR(net, force, 1e-10 * sum) << k.text() << " at " << d / k.greatest();
+      const double rim = k.branch->pressure_radius(d, k.contact);
+      EXPECT_EQ(k.branch->pressure(rim * (1 + 1e-12), d, k.contact), 0) << k.text();
+      EXPECT_NE(k.branch->pressure(rim * (1 - 1e-12), d, k.contact), 0) << k.text();
+    });
+}
+
+// Unloading goes on from where loading ends, and gives back no more than was put in. Rounding of
+// delta moves the numbers of a dent that is shallow beside delta.
+TEST(ForceLaws, UnloadingBeginsWhereLoadingEnds) {
+  for (const Case& k : cases()) {
+    if (k.loading()) continue;
+    const double turn = k.greatest(), a = k.law->contact_radius(turn, k.contact),
+                 force = k.law->force(turn, k.contact), depth = turn - k.least();
+    const double rounding = 1e-14 * (1 + turn / depth);
+    EXPECT_NEAR(k.branch->force(turn, k.contact), force, rounding * std::abs(force)) << k.text();
+    EXPECT_NEAR(k.branch->contact_radius(turn, k.contact), a, rounding * a) << k.text();
+    const double in = k.law->energy(turn, k.contact), back = k.branch->energy(turn, k.contact);
+    EXPECT_LE(back, in + rounding * std::abs(in)) << k.text();
+    if (turn > 2 * 1.6 * 1.6 * yield_delta(k.contact)) {
+      EXPECT_LT(back, 0.95 * in) << k.text();
     }
-}
-
-// On the JKR curve, with u from the law's own contact radius: d and F follow, and dU/dd = F.
-TEST(Jkr, ForceIsTheDerivativeOfTheEnergy) {
-  const ForceLaw& jkr = *find_force_law("jkr");
-  for (const ElasticContact& c : {lj, ice, stiff})
-    for (double d = -0.8; d < 100; d += 0.37) {
-      const auto u_at = [&](double x) {
-        return jkr.contact_radius(x * jkr_delta(c), c) / jkr_radius(c);
-      };
-      const double u = u_at(d), h = 1e-5;
-      EXPECT_NEAR(3 * u * u - 2 * std::sqrt(u), d, 1e-13 * (1 + 3 * u * u));
-      const double force = jkr.force(d * jkr_delta(c), c) / pull_off_force(c);
-      EXPECT_NEAR(force, 4 * (std::pow(u, 3) - std::pow(u, 1.5)), 1e-12 * (1 + std::pow(u, 3)));
-      const double slope = (jkr_energy(u_at(d + h)) - jkr_energy(u_at(d - h))) / (2 * h);
-      EXPECT_NEAR(force, slope, 1e-8 * (1 + std::pow(u, 5)));
-    }
-}
-
-// gamma -> 0 at a fixed delta: with u^2 ~ d/3 ~ gamma^(-2/3), d = 3u^2 (1 - 2/3 u^-1.5) and F =
-// 4u^3 (1 - u^-1.5) give a = a_Hertz (1 + u^-1.5/3), the first order in sqrt(gamma), and
-// F = F_Hertz (1 + O(u^-3)), where it cancels: the first order in gamma.
-TEST(Jkr, TendsToHertzWithoutAdhesion) {
-  const ForceLaw &jkr = *find_force_law("jkr"), &hertz = *find_force_law("hertz");
-  double force_before = 30, radius_before = 4;
-  for (double gamma = 1e-2; gamma > 1e-34; gamma *= 1e-4) {
-    const ElasticContact c{73.5, 65.5, gamma};
-    const double force = std::abs(jkr.force(2, c) / hertz.force(2, c) - 1);
-    const double radius = jkr.contact_radius(2, c) / hertz.contact_radius(2, c) - 1;
-    EXPECT_LE(force, std::max(1.1e-4 * force_before, 3e-15)) << gamma;
-    EXPECT_LE(radius, std::max(1.1e-2 * radius_before, 3e-15)) << gamma;
-    if (radius > 1e-6) {
-      const double u = jkr.contact_radius(2, c) / jkr_radius(c);
-      EXPECT_NEAR(radius / (std::pow(u, -1.5) / 3), 1, 0.2) << gamma;
-    }
-    force_before = force;
-    radius_before = radius;
   }
-  EXPECT_LE(force_before, 3e-15);
-  EXPECT_LE(radius_before, 3e-15);
 }
 
-TEST(Jkr, ContactReachesDownToItsLeastDelta) {
-  const ForceLaw& jkr = *find_force_law("jkr");
-  int lost = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const ElasticContact c{10 + 0.37 * i, 65.5 + 0.11 * i, 3.17};
-    const double force = jkr.force(jkr.least_delta(c), c) / pull_off_force(c);
-    lost += std::abs(force + 5.0 / 9.0) > 1e-6;  // sqrt(epsilon) with room
+TEST(ForceLaws, ShallowContactsUnloadOnTheWayBack) {
+  int seen = 0;
+  for (const Case& k : cases()) {
+    if (k.loading() || k.law->pressure(0, k.greatest(), k.contact) > 0.9 * k.contact.yield_strength)
+      continue;
+    ++seen;
+    for_deltas(k, [&](double d) {
+      EXPECT_DOUBLE_EQ(k.branch->energy(d, k.contact), k.law->energy(d, k.contact)) << k.text();
+    });
   }
-  EXPECT_EQ(lost, 0) << "of 1000 contacts end above their least delta";
+  EXPECT_GT(seen, 3);
 }
 
-// The energy lost by breaking off and jumping into contact: the loop between F(delta) down to
-// pull-off and no force up to delta = 0 (physics sheet, section 2: 0.7722405 F_c delta0).
-TEST(Jkr, LossOfOneContact) {
-  const ForceLaw& jkr = *find_force_law("jkr");
-  const double least = jkr.least_delta(lj);
-  constexpr int n = 4000;  // midpoint rule in s = sqrt(delta - least), where F is smooth
-  double work = 0;
-  for (int i = 0; i < n; ++i) {
-    const double top = std::sqrt(-least), s = (i + 0.5) / n * top;
-    work -= jkr.force(least + s * s, lj) * 2 * s * top / n;
-  }
-  const double exact = std::pow(6.0, -4.0 / 3.0) * (6 * std::pow(4.0, 4.0 / 3.0) + 4) / 5;
-  EXPECT_NEAR(exact, 0.7722405, 1e-7);
-  EXPECT_NEAR(work / (pull_off_force(lj) * jkr_delta(lj)), exact, 1e-6);
+/// All numbers of a branch at one delta.
+std::vector<double> numbers(const ForceBranch& b, double d, const ElasticContact& c) {
+  const double a = b.contact_radius(d, c);
+  return {b.force(d, c),     b.least_delta(c),      a, b.energy(d, c),
+          b.pressure(0, d, c), b.pressure(0.5 * a, d, c), b.pressure_radius(d, c)};
+}
+
+// From 1e-30 to 1e30 of the units, and at the edges of the contact.
+TEST(ForceLaws, ExtremeScalesGiveFiniteNumbers) {
+  for (const ForceLaw* law : force_laws())
+    for (const ForceBranch* branch : {static_cast<const ForceBranch*>(law), &unloading(*law)})
+      for (const double l : {1e-30, 1.0, 1e30})
+        for (const double p : {1e-30, 1.0, 1e30})
+          for (const double gamma : {0.0, 1e-300, 1e-30, 1e-6, 1.0, 1e6})
+            for (const double d : {0.0, 1e-300, 1e-30, 1e-9, 0.3, 10.0, -1e-9, -1e30, 1e20}) {
+              ElasticContact c{l, p, gamma * p * l, 0.1 * p, 0.01 * l, std::max(d, 0.01) * l};
+              for (const double delta : {d * l, branch->least_delta(c)})
+                for (const double number : numbers(*branch, delta, c))
+                  EXPECT_TRUE(std::isfinite(number))
+                      << law->name << " l " << l << " p " << p << " gamma " << gamma << " d " << d;
+            }
 }
 
 }  // namespace
