@@ -29,9 +29,9 @@ class PointCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residual,
                 double** jacobian) const override {
     const auto n = static_cast<std::size_t>(parameter_block_sizes()[0]);
-    std::vector<double> gradient(n);
+    std::vector<double> gradient(jacobian && jacobian[0] ? n : 0);
     if (!residual_(point_, {parameters[0], n}, *residual, gradient)) return false;
-    if (jacobian && jacobian[0]) std::copy(gradient.begin(), gradient.end(), jacobian[0]);
+    if (!gradient.empty()) std::copy(gradient.begin(), gradient.end(), jacobian[0]);
     return true;
   }
 
@@ -68,7 +68,7 @@ struct Linearised {
   Eigen::MatrixXd jacobian;
 };
 
-Linearised linearise(const PointResidual& residual, std::size_t points,
+Linearised linearise(const PointResidual& residual, std::size_t points, std::size_t damped,
                      const std::vector<double>& values, const ceres::LossFunction* loss) {
   const auto m = static_cast<Eigen::Index>(points);
   const auto n = static_cast<Eigen::Index>(values.size());
@@ -78,7 +78,7 @@ Linearised linearise(const PointResidual& residual, std::size_t points,
     double r = std::numeric_limits<double>::quiet_NaN();
     residual(static_cast<std::size_t>(i), values, r, gradient);
     std::array<double, 3> rho{r * r, 1, 0};
-    if (loss) loss->Evaluate(r * r, rho.data());
+    if (loss && static_cast<std::size_t>(i) < damped) loss->Evaluate(r * r, rho.data());
     const double weight = std::sqrt(rho[1]);
     at.raw[i] = r;
     at.weighted[i] = weight * r;
@@ -111,7 +111,7 @@ void judge(Fit& fit, std::size_t points) {
   fit.usable = fit.reason.empty();
 }
 
-void assess(Fit& fit, const Linearised& at) {
+void assess(Fit& fit, const Linearised& at, bool known_errors) {
   fit.residuals.assign(at.raw.begin(), at.raw.end());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at.jacobian,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -123,7 +123,8 @@ void assess(Fit& fit, const Linearised& at) {
       svd.matrixV() * inverse.cwiseProduct(svd.matrixU().transpose() * at.weighted);
   fit.digits = correct_digits(step, fit.values, fit.condition);
   const auto freedom = static_cast<double>(at.jacobian.rows() - at.jacobian.cols());
-  const double variance = at.weighted.squaredNorm() / std::max(1.0, freedom);
+  const double residual_variance = at.weighted.squaredNorm() / std::max(1.0, freedom);
+  const double variance = known_errors ? std::max(1.0, residual_variance) : residual_variance;
   const Eigen::MatrixXd half = svd.matrixV() * inverse.asDiagonal();
   fit.covariance = variance * half * half.transpose();
 }
@@ -141,19 +142,21 @@ Fit solve_least_squares(const PointResidual& residual, std::size_t points,
   Fit fit;
   fit.values = std::move(start);
   const auto loss = make_loss(settings);
+  const std::size_t damped = points - std::min(points, settings.undamped);
   {
     ceres::Problem::Options options;
     options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(options);
     for (std::size_t i = 0; i < points; ++i)
       problem.AddResidualBlock(
-          new PointCost(residual, i, static_cast<int>(fit.values.size())), loss.get(),
+          new PointCost(residual, i, static_cast<int>(fit.values.size())),
+          i < damped ? loss.get() : nullptr,
           fit.values.data());
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(), &problem, &summary);
     fit.iterations = static_cast<int>(summary.iterations.size());
   }
-  assess(fit, linearise(residual, points, fit.values, loss.get()));
+  assess(fit, linearise(residual, points, damped, fit.values, loss.get()), settings.known_errors);
   judge(fit, points);
   fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return fit;

@@ -32,14 +32,18 @@ struct Fit {
   std::string reason;                ///< why it is not usable, or empty
 };
 
-/// Residual of one data point and its derivatives by the parameters. Returns false where the
-/// residual is not defined.
+/// Residual of one data point and its derivatives by the parameters, of which there may be none, if
+/// they are not wanted. Returns false where the residual is not defined.
 using PointResidual = std::function<bool(std::size_t point, std::span<const double> parameters,
                                          double& residual, std::span<double> gradient)>;
 
 struct FitSettings {
   Loss loss = Loss::none;
   double loss_scale = 1;  ///< residuals beyond it are damped
+  /// Residuals are in units of their standard errors: the covariance takes them at their word,
+  /// unless the residuals are greater than they say.
+  bool known_errors = false;
+  std::size_t undamped = 0;  ///< the last so many points are no data (priors, bounds): no loss
 };
 
 /// Least squares by Ceres (Levenberg-Marquardt, dense QR). Parameters and residuals must be

@@ -2,7 +2,6 @@
 #include "fits/hertz.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/QR>
@@ -71,6 +70,7 @@ PointResidual residual_of(const Scaled& data, HertzMethod method) {
       const double slope = std::exp(linear_power * p[0]);
       const double model = slope * (p[1] - data.x[i]);
       r = model - std::pow(data.f[i], linear_power);
+      if (g.empty()) return true;
       g[0] = linear_power * model;
       g[1] = slope;
       return true;
@@ -80,6 +80,7 @@ PointResidual residual_of(const Scaled& data, HertzMethod method) {
     const double overlap = std::max(0.0, p[1] - data.x[i]);
     const double root = std::sqrt(overlap);
     r = k * overlap * root - data.f[i];
+    if (g.empty()) return true;
     g[0] = k * overlap * root;
     g[1] = k * force_power * root;
     return true;
@@ -91,10 +92,9 @@ PointResidual residual_of(const Scaled& data, HertzMethod method) {
 double loss_scale(const Scaled& data, const PointResidual& residual,
                   const std::vector<double>& start) {
   std::vector<double> size;
-  std::array<double, 2> gradient{};
   for (std::size_t i = 0; i < data.x.size(); ++i) {
     double r = 0;
-    residual(i, start, r, gradient);
+    residual(i, start, r, {});
     size.push_back(std::abs(r));
   }
   const auto middle = size.begin() + static_cast<long>(size.size() / 2);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fits/contact_fit.hpp"
+#include "fits/fit_coordinates.hpp"
+
+namespace mdana {
+
+/// What a law says of collisions that were seen, as residuals that depend on the logarithms of the
+/// free parameters.
+class ContactModel {
+ public:
+  /// A free parameter, or that of one group.
+  struct Target {
+    std::size_t free;              ///< index among the settings' free parameters
+    std::string parameter;
+    std::optional<double> radius;  ///< of the group
+    std::string name() const;      ///< "C" or "C(R=58.9)"
+  };
+
+  /// Throws InputError if an observation lacks a parameter, a free one is not the law's, or nothing
+  /// is free.
+  ContactModel(const CollisionLaw& law, std::span<const ObservedCollision> seen,
+               const ContactFitSettings& settings);
+
+  const std::vector<Target>& targets() const { return targets_; }
+  std::vector<Unknown> unknowns() const;
+  const CollisionScales& scales() const { return scales_; }
+
+  std::size_t residuals() const { return terms_.size(); }
+  std::size_t seen_of(std::size_t residual) const { return terms_[residual].seen; }
+  bool known_errors() const { return known_errors_; }
+
+  /// One residual, and its derivatives by the logarithms, if they are wanted. False if the collision
+  /// is unresolved.
+  bool residual(std::size_t k, const Eigen::VectorXd& ln, double& r, Eigen::VectorXd* by_ln) const;
+
+  /// d residual/d ln parameter of all; rows of unresolved collisions are 0.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& ln) const;
+
+  long collisions() const { return collisions_; }        ///< solved so far
+  const std::string& failure() const { return failure_; }  ///< why one was last unresolved
+
+ private:
+  enum class Quantity { e_squared, delta_max, t_max };
+  struct Term {
+    std::size_t seen;
+    Quantity quantity;
+    double value, error;
+    bool stuck;
+  };
+  /// What was last predicted for an observation.
+  struct Prediction {
+    Eigen::VectorXd ln;
+    bool resolved = false, with_derivatives = false;
+    double values[3] = {};
+    Eigen::VectorXd by_ln[3];
+  };
+
+  void add_targets(const ContactFitSettings& settings);
+  void add_terms();
+  void add_scales();
+  std::optional<std::size_t> target_of(std::size_t seen, std::size_t free) const;
+  CollisionInput input(std::size_t seen, const Eigen::VectorXd& ln) const;
+  const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, bool derivatives) const;
+  void difference(std::size_t seen, Prediction& prediction) const;
+  void differentiate(const Collision& collision, const CollisionInput& input, std::size_t seen,
+                     Prediction& prediction) const;
+
+  const CollisionLaw& law_;
+  std::span<const ObservedCollision> seen_;
+  std::vector<FreeParameter> free_;
+  CollisionSettings collision_settings_;
+  std::vector<Target> targets_;
+  std::vector<CollisionInput> inputs_;  ///< one an observation, with any value of what is free
+  std::vector<Term> terms_;
+  bool known_errors_ = true;
+  CollisionScales scales_;
+  mutable std::vector<Prediction> predictions_;
+  mutable long collisions_ = 0;
+  mutable std::string failure_;
+};
+
+}  // namespace mdana

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fits/collision_law.hpp"
+
+namespace mdana {
+
+/// A measured number and its standard error; NaN where there is none.
+struct Measured {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double error = std::numeric_limits<double>::quiet_NaN();
+
+  bool known() const { return value == value; }
+};
+
+/// A parameter under the name that collision laws have for it (R, m, E, v, gamma ...).
+struct NamedNumber {
+  std::string name;
+  double value = 0;
+};
+
+/// A collision that was seen, by whatever law. At least one of e, delta_max and t_max is known.
+struct ObservedCollision {
+  std::vector<NamedNumber> given;  ///< what is known of it, v among them
+  bool stuck = false;              ///< then e is 0, and its error says how small it would have to be
+  Measured e, delta_max, t_max;
+  std::string place;               ///< "runs.csv:7", for messages
+
+  /// The number of that name; nothing if it is not given.
+  std::optional<double> find(std::string_view name) const;
+};
+
+/// What a law computes it from: what is given of it, where the law knows it, over `constants`.
+/// Throws InputError with the place if a parameter is missing or out of its range.
+CollisionInput input_of(const CollisionLaw& law, const ObservedCollision& seen,
+                        std::span<const NamedNumber> constants);
+
+}  // namespace mdana
