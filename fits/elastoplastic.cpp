@@ -93,6 +93,11 @@ double elastic_compression_time() {
 
 Collision bounce(const Impact& i, const Compression& compression, double e_squared) {
   Collision c;
+  if (!(compression.delta_max > 0 && std::isfinite(compression.delta_max) && compression.t_max > 0 &&
+        std::isfinite(compression.t_max) && e_squared > 0)) {
+    c.reason = "the numbers leave the range of double precision";
+    return c;
+  }
   c.outcome = CollisionOutcome::bounce;
   c.e_squared = e_squared;
   c.e = std::sqrt(e_squared);

@@ -27,7 +27,8 @@ Compression compression_by_velocity(const Impact& impact, double yield_velocity)
 /// t_max v/delta_max without yield: integral of 1/sqrt(1 - x^2.5), 1.4716...
 double elastic_compression_time();
 
-/// A bounce with this compression and e^2; contact_time is left to the law.
+/// A bounce with this compression and e^2, contact_time left to the law; unresolved if the numbers
+/// leave the range of doubles.
 Collision bounce(const Impact& impact, const Compression& compression, double e_squared);
 
 /// Derivatives by the logarithms of R*, m*, E*, v and the law's parameters: of ln delta_Y and ln v_Y.

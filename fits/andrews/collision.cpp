@@ -56,6 +56,7 @@ Collision collide_andrews(const CollisionInput& input, const CollisionSettings& 
   const Impact& i = input.impact;
   const Compression compression = compression_by_pressure(i, input.values[0]);
   Collision c = bounce(i, compression, e_squared(compression.speed));
+  if (c.outcome != CollisionOutcome::bounce) return c;
   c.contact_time = c.t_max + time_of_return(compression);
   if (settings.sensitivities) c.sensitivities = sensitivities(input, compression);
   if (settings.trajectory)

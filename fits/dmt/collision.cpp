@@ -25,41 +25,43 @@ double compression(double k) {
   return d;
 }
 
-/// t_max v/delta_max, delta = delta_max cos^2 phi; b = k D. Kinetic energy 1 - c^5 + b (c^2 - c^5).
-double compression_time(double b) {
-  const auto integrand = [&](double phi) {
-    const double c = std::cos(phi), q = 1 + c + c * c;
-    return 2 * std::numbers::sqrt2 * std::cos(phi / 2) * c /
-           std::sqrt(q + c * c * c * (1 + c) + b * c * c * q);
-  };
-  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-  return Rule::integrate(integrand, 0.0, std::numbers::pi / 2, 15, 1e-14);
-}
+/// t_max v/delta_max = T(b) and dT/db, b = k D: delta = delta_max cos^2 phi, kinetic energy
+/// 1 - c^5 + b (c^2 - c^5) over 1 - c.
+struct CompressionTime {
+  double value, slope;
 
-CollisionSensitivities no_loss(const CollisionInput& input, const Collision& c, double k, double d) {
-  // m* v^2/2 = 8/15 E* sqrt(R*) delta^2.5 - 4 pi gamma R* delta: by delta, F delta.
-  const double hertz = d * d * std::sqrt(d), force = 2.5 * hertz - k * d, b = k * d;
-  Eigen::VectorXd work(5);  // what is missing at a fixed delta, by the logarithms
-  work << b - 0.5 * hertz, 1, -hertz, 2, b;
-  CollisionSensitivities s{Eigen::VectorXd::Zero(5), c.delta_max / force * work,
-                           Eigen::VectorXd::Constant(5, Collision::unknown)};
-  // t_max = delta_max/v T(b); b = k D, k = 4 pi gamma R* delta_H/(m* v^2/2).
-  Eigen::VectorXd of_b(5), of_delta = work / force;
-  of_b << 1, -1, 0, -2, 1;
-  of_b += of_delta;
-  const double h = 1e-4 * (1 + b);
-  const auto time = [](double x) { return compression_time(std::max(x, 0.0)); };
-  const double slope = b > 2 * h ? (8 * (time(b + h) - time(b - h)) - time(b + 2 * h) + time(b - 2 * h)) /
-                                       (12 * h)
-                                 : (4 * time(b + h) - 3 * time(b) - time(b + 2 * h)) / (2 * h);
-  s.t_max = c.t_max * (of_delta + slope * b / compression_time(b) * of_b);
-  s.t_max[3] -= c.t_max;
+  explicit CompressionTime(double b) : value(integral(b, 0)), slope(integral(b, 1)) {}
+
+ private:
+  static double integral(double b, int derivative) {
+    const auto integrand = [&](double phi) {
+      const double c = std::cos(phi), q = 1 + c + c * c, pull = c * c * q;
+      const double energy = q + c * c * c * (1 + c) + b * pull;
+      const double rate = 2 * std::numbers::sqrt2 * std::cos(phi / 2) * c / std::sqrt(energy);
+      return derivative == 0 ? rate : -0.5 * rate * pull / energy;
+    };
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+    return Rule::integrate(integrand, 0.0, std::numbers::pi / 2, 15, 1e-14);
+  }
+};
+
+/// m* v^2/2 = 8/15 E* sqrt(R*) delta^2.5 - 4 pi gamma R* delta, and t_max = delta_max/v T(b).
+CollisionSensitivities sensitivities(const CollisionInput& input, const Collision& c, double d,
+                                     double b, double b_by_gamma) {
   const Impact& i = input.impact;
-  const std::array values{i.radius, i.mass, i.modulus, i.velocity, input.values[0]};
-  for (Eigen::Index n = 0; n < 5; ++n)
-    for (Eigen::VectorXd* v : {&s.delta_max, &s.t_max})
-      (*v)[n] = values[n] > 0 ? (*v)[n] / values[n] : 0;
-  return s;
+  const double hertz = d * d * std::sqrt(d), force = 2.5 * hertz - b;
+  const CompressionTime time(b);
+  Eigen::VectorXd of_delta(5), of_b(5), of_v(5), scale(5);
+  // By logarithms, but the last by gamma itself, which can be zero.
+  of_delta << b - 0.5 * hertz, 1, -hertz, 2, b_by_gamma;
+  of_delta /= force;
+  of_b << b, -b, 0, -2 * b, b_by_gamma;
+  of_b += b * of_delta;
+  of_v << 0, 0, 0, 1, 0;
+  scale << i.radius, i.mass, i.modulus, i.velocity, 1;
+  const Eigen::VectorXd of_time = of_delta + time.slope / time.value * of_b - of_v;
+  return {Eigen::VectorXd::Zero(5), c.delta_max * of_delta.cwiseQuotient(scale),
+          c.t_max * of_time.cwiseQuotient(scale)};
 }
 
 Collision collide_dmt(const CollisionInput& input, const CollisionSettings& settings) {
@@ -67,18 +69,22 @@ Collision collide_dmt(const CollisionInput& input, const CollisionSettings& sett
   const double energy = i.mass / (i.radius * i.radius * i.radius) *
                         (i.velocity * (i.velocity / i.modulus)) / 2;  // in E* R*^3
   const double hertz = std::pow(15.0 / 8.0 * energy, 0.4);            // delta_max/R*
-  const double k = 4 * std::numbers::pi * (input.values[0] / i.radius / i.modulus) * hertz / energy;
-  const double d = compression(k);
+  const double k_by_gamma = 4 * std::numbers::pi / i.radius / i.modulus * (hertz / energy);
+  const double k = k_by_gamma * input.values[0], d = compression(k);
   Collision c;
+  if (!(hertz > 0 && std::isfinite(k * d))) {
+    c.reason = "the numbers leave the range of double precision";
+    return c;
+  }
   c.outcome = CollisionOutcome::bounce;
   c.e = c.e_squared = 1;
   c.e_error = c.e_squared_error = c.energy_residual = 0;
   c.delta_max = d * hertz * i.radius;
-  c.t_max = compression_time(k * d) * (c.delta_max / i.velocity);
+  c.t_max = CompressionTime(k * d).value * (c.delta_max / i.velocity);
   c.contact_time = 2 * c.t_max;
   c.a_max = std::sqrt(d * hertz) * i.radius;
   c.p_c_max = 2 / std::numbers::pi * i.modulus * std::sqrt(d * hertz);
-  if (settings.sensitivities) c.sensitivities = no_loss(input, c, k, d);
+  if (settings.sensitivities) c.sensitivities = sensitivities(input, c, d, k * d, k_by_gamma * d);
   if (settings.trajectory)
     c.trajectory = branch_motion(dmt_law, dmt_law,
                                  {i.radius, i.modulus, input.values[0], 0, 0, c.delta_max}, i.mass);

@@ -58,6 +58,7 @@ CollisionSensitivities sensitivities(const CollisionInput& input, const Compress
   Eigen::VectorXd of_loss(7);
   of_loss << 4.0 / 3.0, -1, -2.0 / 3.0, -2, 5.0 / 3.0, 0, 0;
   found.e_squared -= loss * of_loss;
+  if (loss > 0) found.delta_max = found.t_max = Eigen::VectorXd::Constant(7, Collision::unknown);
   return by_values(found, input);
 }
 
@@ -79,6 +80,7 @@ Collision collide_thornton(const CollisionInput& input, const CollisionSettings&
   const Compression compression = compression_of(input);
   const double loss = adhesive_loss(i, input.values[gamma]);
   Collision c = bounce(i, compression, e_squared(compression.speed));
+  if (c.outcome != CollisionOutcome::bounce) return c;
   // Out: an elastic sphere of radius R_p, a^2 = R_p (delta_max - delta_p), with a and F of the turn.
   const double flatter = compression.yields() ? 0.75 * std::numbers::pi * (c.p_c_max / i.modulus) *
                                                     (i.radius / c.a_max) *
