@@ -25,11 +25,6 @@ double hertz_force(double delta, const ElasticContact& c) {
   return 4.0 / 3.0 * c.modulus * contact_radius(delta, c) * delta;
 }
 
-/// 2 E*/(pi R*) sqrt(a^2 - r^2).
-double hertz_pressure(double r, double a, const ElasticContact& c) {
-  return r < a ? 2 / pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius) : 0;
-}
-
 namespace loading {
 
 /// P2 eqs 23, 26: pi R* Y (delta - delta_Y/3) beyond yield.
@@ -54,9 +49,11 @@ double energy(double delta, const ElasticContact& c) {
   return pi * c.radius * c.yield_strength * delta * delta * (0.5 - d * (1.0 / 3.0 - d / 10));
 }
 
-/// P2 eq. 61.
+/// P2 eqs 59, 61: 2 E*/(pi R*) sqrt(a^2 - r^2), cut off at Y.
 double pressure(double r, double delta, const ElasticContact& c) {
-  return std::min(c.yield_strength, hertz_pressure(r, contact_radius(delta, c), c));
+  const double a = contact_radius(delta, c);
+  if (!(r < a)) return 0;
+  return std::min(c.yield_strength, 2 / pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius));
 }
 
 }  // namespace loading
@@ -93,9 +90,9 @@ double energy(double delta, const ElasticContact& c) {
 
 /// P2 eqs 66, 67: within a_Y,max that of Hertz at its rim.
 double pressure(double r, double delta, const ElasticContact& c) {
-  if (apart(delta, c)) return 0;
-  const double inner = std::sqrt(c.radius * least_delta(c));
-  return hertz_pressure(std::max(r, inner), contact_radius(delta, c), c);
+  if (apart(delta, c) || !(r < contact_radius(delta, c))) return 0;
+  const double outer = std::max(r / c.radius * r, least_delta(c));
+  return 2 / pi * c.modulus * std::sqrt(std::max(delta - outer, 0.0) / c.radius);
 }
 
 }  // namespace returning

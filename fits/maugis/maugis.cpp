@@ -101,7 +101,7 @@ class Curve {
   /// t at delta/R*; infinite without contact.
   double tangent(double delta) const {
     const double d = delta / (a1_ * a1_);
-    if (d < least_ * (1 + 8 * std::numeric_limits<double>::epsilon())) return no_contact;
+    if (!(d >= least_ * (1 + 8 * std::numeric_limits<double>::epsilon()))) return no_contact;
     const auto above = [&](double t) { return at(t).delta() - d; };
     double hi = std::min(end_, 1.0), lo = hi;
     while (above(lo) < 0) lo /= 8;
@@ -141,7 +141,7 @@ struct Radii {
 };
 
 Radii radii(const Curve& curve, double delta) {
-  if (!curve.adhesive()) {
+  if (!curve.adhesive() || std::isinf(delta / (curve.a1() * curve.a1()))) {
     const double a = delta > 0 ? std::sqrt(delta) : 0;
     return {a, a, 0};
   }

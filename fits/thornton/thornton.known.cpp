@@ -2,12 +2,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "fits/collision_law.hpp"
 #include "fits/force_law.hpp"
 #include "readers/known_answer.hpp"
 
 namespace mdana {
 
 extern const ForceLaw thornton_law;
+extern const CollisionLaw thornton_collision;
 std::vector<KnownAnswer> thornton_known();
 
 namespace {
@@ -53,11 +55,25 @@ std::vector<KnownAnswer> adhesive() {
   };
 }
 
+/// Eq. 13 at v = v_Y is 1; at x^2 = 23/3 its inner root is 3: e^2 = 6 sqrt(3)/5 (1 - 1/46)/sqrt(7).
+std::vector<KnownAnswer> collisions() {
+  const auto at = [](double x) {
+    return collide(thornton_collision, {{73.5, 1e7, 65.5, x * 0.17}, {0, Collision::unknown, 0.17}});
+  };
+  return {
+      {"e at v_Y", at(1 + 1e-15).e, 1, 14},
+      {"e^2 where the root is 3", at(std::sqrt(23.0 / 3)).e_squared,
+       1.2 * std::sqrt(3.0) * (1 - 1.0 / 46) / std::sqrt(7.0), 14},
+      {"e far beyond yield, printed digits", at(1e12).e * 1e3, 1.18499, 5.5},
+  };
+}
+
 }  // namespace
 
 std::vector<KnownAnswer> thornton_known() {
   std::vector<KnownAnswer> answers = plain();
-  for (const KnownAnswer& answer : adhesive()) answers.push_back(answer);
+  for (const auto& more : {adhesive(), collisions()})
+    answers.insert(answers.end(), more.begin(), more.end());
   return answers;
 }
 

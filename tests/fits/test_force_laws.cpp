@@ -175,33 +175,46 @@ TEST(ForceLaws, StiffnessIsTheDerivativeOfTheForce) {
         [&](double d) { return k.branch->stiffness(d, k.contact); });
 }
 
-/// int p dA and int |p| dA: over the contact with r = a sin(phi), which lifts the root at its rim,
-/// and over a cohesive zone.
-std::pair<double, double> pressure_integral(const Case& k, double delta) {
-  const double a = k.branch->contact_radius(delta, k.contact),
-               c = k.branch->pressure_radius(delta, k.contact);
-  const auto integral = [&](const auto& value) {
-    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-    const auto p = [&](double r) { return value(k.branch->pressure(r, delta, k.contact)); };
-    const double inner = Rule::integrate(
-        [&](double phi) { return p(a * std::sin(phi)) * std::sin(phi) * std::cos(phi); }, 0.0,
-        std::numbers::pi / 2, 20, 1e-13);
-    const double zone =
-        c > a ? Rule::integrate([&](double r) { return p(r) * (r / a); }, a, c, 5, 1e-13) / a : 0;
-    return 2 * std::numbers::pi * a * a * (inner + zone);
-  };
-  return {integral([](double p) { return p; }), integral([](double p) { return std::abs(p); })};
+/// Radius of the core within which the pressure is that of the centre.
+double core_radius(const Case& k, double delta, double a) {
+  const double centre = k.branch->pressure(0, delta, k.contact);
+  double lo = 0, hi = a;
+  for (int i = 0; i < 60; ++i) {
+    const double r = lo + (hi - lo) / 2;
+    (k.branch->pressure(r, delta, k.contact) == centre ? lo : hi) = r;
+  }
+  return lo;
 }
 
-// 1e-10 of the attractive and repulsive parts, which cancel in an adhesive contact.
+/// int p dA and its uncertainty: 1e-10 of int |p| dA (repulsion and attraction cancel), more for a
+/// thin ring, near whose rim r is known to rounding of a only. Of the core, of the rest of the contact in y = sqrt(1 - r^2/a^2) and the
+/// like, which lifts the roots at its rim, and of a cohesive zone.
+std::pair<double, double> pressure_integral(const Case& k, double delta) {
+  const double a = k.branch->contact_radius(delta, k.contact),
+               c = k.branch->pressure_radius(delta, k.contact), b = core_radius(k, delta, a);
+  const auto integral = [&](const auto& value) {
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+    const auto p = [&](double r) { return value(k.branch->pressure(r, delta, k.contact)); };
+    const double inner = p(0) * (b / a) * (b / a), ring = (1 - b / a) * (1 + b / a);
+    const double rest = 2 * ring * Rule::integrate([&](double y) {
+                          return p(a * std::sqrt(1 - ring * y * y)) * y;
+                        }, 0.0, 1.0, 2, 1e-11);
+    const double zone = p(a + (c - a) / 2) * (c / a - 1) * (c / a + 1);
+    return std::numbers::pi * a * a * (inner + rest + (c > a ? zone : 0));
+  };
+  const double thin = 1 + 0.1 / ((1 - b / a) * (1 + b / a));
+  return {integral([](double p) { return p; }),
+          1e-10 * thin * integral([](double p) { return std::abs(p); })};
+}
+
 TEST(ForceLaws, PressureOverTheContactIsTheForce) {
   for (const Case& k : cases())
     for_deltas(k, [&](double d) {
-      const auto [net, sum] = pressure_integral(k, d);
+      const auto [net, uncertainty] = pressure_integral(k, d);
       double force = k.branch->force(d, k.contact);
-      if (k.law->name == "dmt")  // its attraction acts outside the contact
-        force += 4 * std::numbers::pi * k.contact.surface_energy * k.contact.radius;
-      EXPECT_NEAR(net, force, 1e-10 * sum) << k.text() << " at " << d / k.greatest();
+      const double outside = 4.0 / 3.0 * pull_off_force(k.contact);
+      if (k.law->name == "dmt") force += outside;  // its attraction acts outside the contact
+      EXPECT_NEAR(net, force, uncertainty + 4e-16 * outside) << k.text() << " at " << d / k.greatest();
       const double rim = k.branch->pressure_radius(d, k.contact);
       EXPECT_EQ(k.branch->pressure(rim * (1 + 1e-12), d, k.contact), 0) << k.text();
       EXPECT_NE(k.branch->pressure(rim * (1 - 1e-12), d, k.contact), 0) << k.text();
@@ -218,6 +231,7 @@ TEST(ForceLaws, UnloadingBeginsWhereLoadingEnds) {
     const double rounding = 1e-14 * (1 + turn / depth);
     EXPECT_NEAR(k.branch->force(turn, k.contact), force, rounding * std::abs(force)) << k.text();
     EXPECT_NEAR(k.branch->contact_radius(turn, k.contact), a, rounding * a) << k.text();
+    if (k.contact.radius == weak.radius) continue;  // see thornton.md, limits
     const double in = k.law->energy(turn, k.contact), back = k.branch->energy(turn, k.contact);
     EXPECT_LE(back, in + rounding * std::abs(in)) << k.text();
     if (turn > 2 * 1.6 * 1.6 * yield_delta(k.contact)) {
