@@ -278,6 +278,7 @@ bool ContactModel::residual(std::size_t k, const Eigen::VectorXd& ln, double& r,
   if (!p.resolved || !std::isfinite(value)) return false;
   const bool satisfied = t.stuck && value <= 0;
   r = satisfied ? 0 : (value - t.value) / t.error;
+  if (by_ln && !p.by_ln[q].allFinite()) return false;
   if (by_ln)
     *by_ln = satisfied ? Eigen::VectorXd::Zero(ln.size()) : Eigen::VectorXd(p.by_ln[q] / t.error);
   return true;

@@ -10,12 +10,22 @@
 #include <Eigen/SVD>
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 namespace mdana {
 namespace {
 
 constexpr double least_digits = 6;
 constexpr double worst_condition = 1e12;
+
+/// A step that a residual cannot take is no news: the optimum itself is assessed.
+void silence_ceres() {
+  static const bool once = [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    return true;
+  }();
+  (void)once;
+}
 
 /// One data point as a Ceres cost function.
 class PointCost final : public ceres::CostFunction {
@@ -138,6 +148,7 @@ std::string_view name(Loss loss) {
 
 Fit solve_least_squares(const PointResidual& residual, std::size_t points,
                         std::vector<double> start, const FitSettings& settings) {
+  silence_ceres();
   const auto begin = std::chrono::steady_clock::now();
   Fit fit;
   fit.values = std::move(start);
