@@ -29,6 +29,7 @@ struct ContactMotion {
 
   CollisionOutcome outcome = CollisionOutcome::unresolved;
   std::string reason;
+  bool adhesive = true;  ///< without adhesion every collision is a bounce
   double e_squared = unknown;  ///< continued below zero if the spheres stick
   double d_max = unknown, t_max = unknown, t_end = unknown;
   double u_max = 0;

@@ -160,7 +160,7 @@ typename Radau<System, S>::Stages Radau<System, S>::newton_change(const Stages& 
 /// Simplified Newton on Z = h A F(y + Z).
 template <class System, int S>
 bool Radau<System, S>::solve_stages(const System& system, double h) {
-  constexpr int most = 12;
+  constexpr int most = 10;
   double before = 0;
   for (int iteration = 0; iteration < most; ++iteration) {
     for (int i = 0; i < S; ++i) f_.col(i) = rates(system, y_.template head<n>() + z_.col(i));
@@ -175,7 +175,8 @@ bool Radau<System, S>::solve_stages(const System& system, double h) {
       const double rate = size / before;
       if (rate / (1 - std::min(rate, 0.999)) * size <= newton_tolerance_) return true;
       if (rate > 0.99 && size <= 100 * newton_tolerance_) return true;  // rounding
-      if (rate > 0.9) return false;
+      const double left = std::pow(rate, most - 1 - iteration) / (1 - std::min(rate, 0.999)) * size;
+      if (rate > 0.9 || left > 10 * newton_tolerance_) return false;
     }
     before = size;
   }
