@@ -47,7 +47,9 @@ class Convergence {
  private:
   ContactMotion once(double tolerance, bool full);
   double difference(const ContactMotion& before) const;
-  bool sign_is_certain() const { return !last.adhesive || std::abs(last.e_squared) > error; }
+  bool sign_is_certain() const {
+    return !last.adhesive || last.bound || std::abs(last.e_squared) > error;
+  }
   bool certain(double wanted) const;
 
   const CollisionSettings& settings_;

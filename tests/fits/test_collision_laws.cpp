@@ -122,13 +122,13 @@ TEST(CollisionLaws, SignedRestitutionGoesThroughZero) {
     CollisionInput input = sphere(law, p);
     const VelocityFound v = sticking_velocity(law_of(law), input, search_velocities(law_of(law), input));
     ASSERT_TRUE(v.found()) << law << ": " << v.reason;
-    EXPECT_LT(v.error, 1e-6 * v.velocity) << law;
+    EXPECT_LT(v.error, 1e-5 * v.velocity) << law;
     double before = -1;
     for (const double x : {0.9, 0.99, 1.01, 1.1}) {
       input.impact.velocity = x * v.velocity;
       const Collision c = run(law, input);
       EXPECT_EQ(c.outcome, x < 1 ? CollisionOutcome::stick : CollisionOutcome::bounce) << law << " " << x;
-      EXPECT_GT(c.e_squared, before) << law << " " << x;
+      EXPECT_GE(c.e_squared, before) << law << " " << x;
       EXPECT_EQ(c.e_squared > 0, x > 1) << law << " " << x;
       EXPECT_NEAR(c.e_squared, 0, 0.35) << law;
       before = c.e_squared;
