@@ -84,7 +84,8 @@ struct Collision {
   double contact_time = unknown;  ///< until detachment; NaN if the spheres stick [time]
   double a_max = unknown;         ///< greatest contact radius [length]
   double p_c_max = unknown;       ///< greatest pressure at the centre of contact [pressure]
-  /// |E + dissipated - E_0| over m* v^2/2 at the end; 0 where a closed form has no such check.
+  /// |E + dissipated - E_0|, greatest of all steps, over m* v^2/2 or, if more, F_c delta_0; 0 where a closed
+  /// form has no such check.
   double energy_residual = unknown;
   long evaluations = 0;           ///< of the equations' right-hand side; 0 for a closed form
   double seconds = 0;

@@ -29,6 +29,8 @@ struct ContactMotion {
 
   CollisionOutcome outcome = CollisionOutcome::unresolved;
   std::string reason;
+  bool bound = false;    ///< that the spheres stick is proven, whatever e_squared is
+  bool adhesive = true;  ///< without adhesion every collision is a bounce
   double e_squared = unknown;  ///< continued below zero if the spheres stick
   double d_max = unknown, t_max = unknown, t_end = unknown;
   double u_max = 0;
@@ -60,6 +62,7 @@ ContactMotion move(const CrackContact& contact, const MotionSettings& settings);
 
 /// A contact radius on a curve a(delta), with a force of dissipation.
 struct CurveContact {
+  bool bound = false;    ///< that the spheres stick is proven, whatever e_squared is
   bool adhesive = true;  ///< JKR, in its scaled variables; else Hertz, u = sqrt(d), w0 = 1
   bool power = false;    ///< eq. 19 with D, alpha, beta; else eq. 12, or 17, with lam, b, zeta
   bool stress = false;

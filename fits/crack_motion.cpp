@@ -8,8 +8,23 @@ namespace {
 using Stepper = Radau<CrackSystem>;
 using Full = Stepper::Full;
 
-constexpr double pull_off_energy = 0.0733762247098862;  // U at u = 6^(-2/3) of the JKR curve
 constexpr double least_energy = -1.2;                   // U at equilibrium, u = d = 1
+
+/// How far a contact at rest at d is from bouncing: its energy on the JKR curve, less that of pull-off;
+/// zero beyond pull-off, where only time is missing. And the derivative by d, which is the force.
+struct Missing {
+  double energy = 0, by_d = 0;
+
+  explicit Missing(double d) {
+    const double last = std::cbrt(1.0 / 6.0);  // s = sqrt(u) at pull-off
+    if (d <= 3 * last * last * last * last - 2 * last) return;
+    double s = 1 + std::pow(std::max(d, 0.0) / 3, 0.25);
+    for (int i = 0; i < 60; ++i) s -= (3 * s * s * s * s - 2 * s - d) / (12 * s * s * s - 2);
+    const auto on_curve = [](double x) { return x * x * x * x * (x * x * x * (4.8 * x * x * x - 8) + 2); };
+    energy = on_curve(s) - on_curve(last);
+    by_d = 4 * s * s * s * (s * s * s - 1);
+  }
+};
 
 /// One collision: the branches of the crack law one after the other.
 class CrackCollision {
@@ -41,12 +56,14 @@ class CrackCollision {
   bool reach_end_of_branch(Full& y);
   bool cross(Full& y, CrackBranch to, double z);
   void detach(const Full& y);
+  void rest(const Full& y);
   void stick();
   void give_up(SegmentEnd end);
 
   double w() const { return integration_.stepper.y()[0]; }
   /// Derivatives by the parameters of a function of y that has that gradient.
   ContactMotion::Gradient derivative(const Full& by_y) const;
+  Full by_d(const Full& y) const;
 
   CrackContact contact_;
   MotionSettings settings_;
@@ -54,7 +71,7 @@ class CrackCollision {
   Integration<CrackSystem> integration_;
   ContactMotion motion_;
   double energy_ = 0, first_energy_ = 0;
-  bool turned_ = false;
+  bool turned_ = false, at_rest_ = false;
 };
 
 CrackSystem CrackCollision::system_of(const CrackContact& contact) {
@@ -129,6 +146,15 @@ ContactMotion::Gradient CrackCollision::derivative(const Full& by_y) const {
   return g;
 }
 
+/// Gradient of d = 3u^2 - h, h = 2 exp(q/2) sqrt(u).
+Full CrackCollision::by_d(const Full& y) const {
+  Full by = Full::Zero();
+  const double h = system_.excess(y.data());
+  by[1] = 6 * y[1] - 0.5 * h / y[1];
+  by[2] = -0.5 * h;
+  return by;
+}
+
 /// w through zero: greatest compression at first, then, if the energy is negative, the spheres
 /// stick: with a free contact radius nothing else proves it.
 void CrackCollision::turn(Full& y) {
@@ -137,17 +163,13 @@ void CrackCollision::turn(Full& y) {
     motion_.d_max = system_.d(y.data());
     motion_.t_max = y[3];
     if (settings_.sensitivities) {
-      const double h = system_.excess(y.data()), u = y[1];
-      Full by_d = Full::Zero(), by_t = Full::Zero();
-      by_d[1] = 6 * u - 0.5 * h / u;
-      by_d[2] = -0.5 * h;
-      by_t[3] = 1;
-      motion_.by_d_max = derivative(by_d);
-      motion_.by_t_max = derivative(by_t);
+      motion_.by_d_max = derivative(by_d(y));
+      motion_.by_t_max = derivative(Full::Unit(3));
     }
     turned_ = true;
-  } else if (system_.after_turn && energy_ < 0) {
-    stick();
+  } else if (system_.after_turn) {
+    if (!at_rest_) rest(y);
+    if (energy_ < 0) stick();
   }
   system_.after_turn = !system_.after_turn;
 }
@@ -185,38 +207,37 @@ bool CrackCollision::cross(Full& y, CrackBranch to, double z) {
   return true;
 }
 
+/// Contact ends. If the spheres approach then, they touch again, slower.
 void CrackCollision::detach(const Full& y) {
-  const double w0 = contact_.w0;
-  motion_.e_squared = -y[0] * std::abs(y[0]) / (w0 * w0);
-  if (y[0] < 0) {
-    motion_.outcome = CollisionOutcome::bounce;
-    motion_.t_end = y[3];
-  } else {  // at rest or approaching: they touch again, slower
-    motion_.outcome = CollisionOutcome::stick;
-    motion_.reason = "the contact breaks while the spheres approach";
-  }
+  const double w0 = contact_.w0, e = -y[0] / w0;
+  motion_.outcome = e > 0 ? CollisionOutcome::bounce : CollisionOutcome::stick;
+  if (e > 0) motion_.t_end = y[3];
+  if (e <= 0) motion_.reason = "the contact breaks while the spheres approach";
+  const double before = e <= 0 && at_rest_ ? motion_.e_squared : 0;
+  motion_.e_squared = before + e * std::abs(e);
   if (!settings_.sensitivities) return;
   Full by = Full::Zero();
-  by[0] = -2 * std::abs(y[0]) / (w0 * w0);
-  motion_.by_e_squared = derivative(by);
+  by[0] = -2 * std::abs(e) / w0;
+  motion_.by_e_squared = derivative(by) + (before < 0 ? motion_.by_e_squared : ContactMotion::Gradient::Zero());
+  motion_.by_e_squared[0] -= 2 * e * std::abs(e) / w0;
+}
+
+/// The first rest after the greatest compression, or where the motion ends: e^2 there.
+void CrackCollision::rest(const Full& y) {
+  const double w0 = contact_.w0;
+  const Missing missing(system_.d(y.data()));
+  at_rest_ = true;
+  motion_.e_squared = std::min(0.0, 2 * (missing.energy / w0) / w0);
+  if (!settings_.sensitivities) return;
+  motion_.by_e_squared = derivative(by_d(y)) * (2 * missing.by_d / (w0 * w0));
   motion_.by_e_squared[0] -= 2 * motion_.e_squared / w0;
 }
 
 void CrackCollision::stick() {
-  const double w0 = contact_.w0;
-  const Full& y = integration_.stepper.y();
+  if (!at_rest_) rest(integration_.stepper.y());
   motion_.outcome = CollisionOutcome::stick;
   motion_.reason = "bound: kinetic and potential energy are below zero";
-  motion_.e_squared = std::min(0.0, 2 * (energy_ - pull_off_energy) / (w0 * w0));
-  if (!settings_.sensitivities) return;
-  const double u = y[1], h = system_.excess(y.data());
-  Full by = Full::Zero();  // of w^2/2 + 4.8 u^5 - 4 h u^3 + h^2 u - 2 u^2, with h = 2 exp(q/2) sqrt(u)
-  const double by_h = -4 * u * u * u + 2 * h * u;
-  by[0] = y[0];
-  by[1] = 24 * u * u * u * u - 12 * h * u * u + h * h - 4 * u + by_h * 0.5 * h / u;
-  by[2] = by_h * 0.5 * h;
-  motion_.by_e_squared = derivative(by) * (2 / (w0 * w0));
-  motion_.by_e_squared[0] -= 2 * motion_.e_squared / w0;
+  motion_.bound = energy_ < -1e-8 * std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
 }
 
 void CrackCollision::give_up(SegmentEnd end) {

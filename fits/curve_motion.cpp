@@ -90,6 +90,7 @@ class CurveCollision {
     while (go_on()) {
     }
     motion_.evaluations = integration_.stepper.evaluations();
+    motion_.adhesive = Curve::least_energy < 0;
     return std::move(motion_);
   }
 

@@ -58,9 +58,16 @@ Dual<N> sqrt(const Dual<N>& x) {
   const double root = std::sqrt(x.value);
   return {root, x.gradient * (0.5 / root)};
 }
+/// The cube root, exactly doubled if x is multiplied by eight, which std::cbrt does not promise.
+inline double cube_root(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  const int thirds = (exponent - ((exponent % 3) + 3) % 3) / 3;
+  return std::ldexp(std::cbrt(std::ldexp(mantissa, exponent - 3 * thirds)), thirds);
+}
 template <int N>
 Dual<N> cbrt(const Dual<N>& x) {
-  const double root = std::cbrt(x.value);
+  const double root = cube_root(x.value);
   return {root, x.gradient * (root / (3 * x.value))};
 }
 template <int N>

@@ -71,6 +71,13 @@ class Radau {
   using ComplexStates = Eigen::Matrix<std::complex<double>, n, 1>;
   using Stages = Eigen::Matrix<double, n, S>;
 
+  /// By cofactors, which for so few states is fastest, unless their products overflow.
+  template <class Matrix>
+  static Matrix inverse(const Matrix& m) {
+    const double size = m.cwiseAbs().maxCoeff();
+    const Matrix quick = (m / size).inverse() / size;
+    return quick.allFinite() ? quick : Matrix(m.partialPivLu().inverse());
+  }
   double norm(const States& v) const { return v.cwiseQuotient(scale_).cwiseAbs().maxCoeff(); }
   States polynomial(double theta) const;
   void linearize(const System& system);
@@ -88,8 +95,8 @@ class Radau {
   Stages z_ = Stages::Zero(), last_z_ = Stages::Zero();
   Eigen::Matrix<double, n + q, S> f_ = Eigen::Matrix<double, n + q, S>::Zero();
   Square jacobian_ = Square::Zero();
-  Eigen::PartialPivLU<Square> real_lu_;
-  std::array<Eigen::PartialPivLU<ComplexSquare>, S / 2> complex_lu_;
+  Square real_inverse_ = Square::Zero();
+  std::array<ComplexSquare, S / 2> complex_inverses_;
   bool fresh_ = true, jacobian_known_ = false, keeps_ = false;
   long evaluations_ = 0;
   Derivatives derivatives_ = Derivatives::Zero();
@@ -110,11 +117,11 @@ void Radau<System, S>::linearize(const System& system) {
 template <class System, int S>
 void Radau<System, S>::factor(double h) {
   const Square real = Square::Identity() * (tableau_.real_eigenvalue / h) - jacobian_;
-  real_lu_.compute(real);
+  real_inverse_ = inverse(real);
   for (int k = 0; k < S / 2; ++k) {
     ComplexSquare matrix = -jacobian_.template cast<std::complex<double>>();
     matrix.diagonal().array() += tableau_.eigenvalues[k] / h;
-    complex_lu_[k].compute(matrix);
+    complex_inverses_[k] = inverse(matrix);
   }
 }
 
@@ -147,11 +154,11 @@ void Radau<System, S>::guess(double h) {
 
 template <class System, int S>
 typename Radau<System, S>::Stages Radau<System, S>::newton_change(const Stages& residual) const {
-  Stages change = real_lu_.solve(residual * tableau_.real_row.transpose()) *
+  Stages change = (real_inverse_ * (residual * tableau_.real_row.transpose())).eval() *
                   tableau_.real_vector.transpose();
   for (int k = 0; k < S / 2; ++k) {
     const ComplexStates w =
-        complex_lu_[k].solve((residual * tableau_.rows.row(k).transpose()).eval());
+        complex_inverses_[k] * (residual * tableau_.rows.row(k).transpose()).eval();
     for (int i = 0; i < S; ++i) change.col(i) += 2 * (w * tableau_.vectors(i, k)).real();
   }
   return change;
@@ -160,7 +167,7 @@ typename Radau<System, S>::Stages Radau<System, S>::newton_change(const Stages& 
 /// Simplified Newton on Z = h A F(y + Z).
 template <class System, int S>
 bool Radau<System, S>::solve_stages(const System& system, double h) {
-  constexpr int most = 12;
+  constexpr int most = 10;
   double before = 0;
   for (int iteration = 0; iteration < most; ++iteration) {
     for (int i = 0; i < S; ++i) f_.col(i) = rates(system, y_.template head<n>() + z_.col(i));
@@ -175,7 +182,8 @@ bool Radau<System, S>::solve_stages(const System& system, double h) {
       const double rate = size / before;
       if (rate / (1 - std::min(rate, 0.999)) * size <= newton_tolerance_) return true;
       if (rate > 0.99 && size <= 100 * newton_tolerance_) return true;  // rounding
-      if (rate > 0.9) return false;
+      const double left = std::pow(rate, most - 1 - iteration) / (1 - std::min(rate, 0.999)) * size;
+      if (rate > 0.9 || left > 10 * newton_tolerance_) return false;
     }
     before = size;
   }
@@ -187,7 +195,7 @@ void Radau<System, S>::estimate(const System& system, double h) {
   const States increments = z_ * tableau_.error_increments;
   const double filter = tableau_.real_eigenvalue / h;
   const auto filtered = [&](const States& f) {
-    return (filter * real_lu_.solve(tableau_.error_start * h * f + increments)).eval();
+    return (filter * (real_inverse_ * (tableau_.error_start * h * f + increments))).eval();
   };
   const States first = filtered(start_rates_.template head<n>());
   error_ = norm(first);

@@ -46,19 +46,34 @@ class Integration {
     return system.event(k, y.data(), system.p.data());
   }
   bool good_step(const System& system);
+  double next_length();
   bool first_event(const System& system, double& theta);
   double root(const System& system, int k) const;
   bool shorten_to_event(const System& system, double theta);
   void project_derivatives(const System& system);
 
-  double tolerance_, h_;
+  double tolerance_, h_, last_h_ = 0, last_ratio_ = 0;
+  bool rejected_ = false;  ///< an attempt at this step
   IntegrationLimits limits_;
 };
+
+/// By the error of this step and its growth since the last one (Gustafsson); none right after a rejection.
+template <class System, int S>
+double Integration<System, S>::next_length() {
+  constexpr double power = -1.0 / (S + 1);
+  const double ratio = stepper.error() / tolerance_ + 1e-12;
+  double factor = 0.9 * std::pow(ratio, power);
+  if (last_h_ > 0) factor = std::min(factor, factor * h_ / last_h_ * std::pow(ratio / last_ratio_, power));
+  last_h_ = h_;
+  last_ratio_ = std::max(ratio, 1e-3);
+  return h_ * std::clamp(factor, 0.2, rejected_ ? 1.0 : 6.0);
+}
 
 /// Attempts steps until one keeps the tolerance; h_ is then its length, and false if there is none.
 template <class System, int S>
 bool Integration<System, S>::good_step(const System& system) {
-  for (int tries = 0; tries < 200; ++tries) {
+  for (int tries = 0; tries < 400; ++tries) {
+    rejected_ = tries > 0;
     if (stepper.attempt(system, h_)) {
       const double ratio = stepper.error() / tolerance_;
       if (ratio <= 1) return true;
@@ -137,11 +152,12 @@ void Integration<System, S>::project_derivatives(const System& system) {
 template <class System, int S>
 template <class Observe, class Stop>
 SegmentEnd Integration<System, S>::run(const System& system, Observe&& observe, Stop&& stop) {
+  last_h_ = 0;
   for (;;) {
     if (--limits_.steps < 0) return SegmentEnd::out_of_steps;
     if (std::chrono::steady_clock::now() > limits_.deadline) return SegmentEnd::out_of_time;
     if (!good_step(system)) return SegmentEnd::step_too_small;
-    const double next = h_ * std::clamp(0.9 * std::pow(stepper.error() / tolerance_ + 1e-30, -1.0 / (S + 1)), 0.2, 8.0);
+    const double next = next_length();
     double theta = 2;
     if (first_event(system, theta)) {
       if (theta == 0) return SegmentEnd::event;
