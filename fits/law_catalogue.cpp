@@ -227,7 +227,7 @@ void add_krijt(Catalogue& c) {
       c.add_stick(law, fmt::format("sticks with {} x {:g}", t, x), c.run(law, with(p, {{t, p.at(t) * x}})));
     for (const double v : {1e-3, 1e-6, 1e-12, 1e-100})
       c.add_stick(law, fmt::format("sticks at v = {:g}", v), c.run(law, with(p, {{"v", v}})));
-    c.add(law, "e^2 started on the JKR curve", c.run(law, with(p, {{"T_crack", 1e-9}})).e_squared,
+    c.add(law, "e^2 with a fast crack and slow bulk", c.run(law, with(p, {{"T_crack", 1e-9}})).e_squared,
           c.run(law, with(p, {{"T_crack", 0}})).e_squared, 3.5);
   }
   const Parameters& p = base_cases().at("krijt");
