@@ -17,7 +17,7 @@ std::vector<KnownAnswer> krijt_known() {
   const double u = std::cbrt(4.0 / 9.0), first = u * u * (4.8 * u * u * u - 8 * std::sqrt(u * u * u) + 2);
   const double w0 = std::sqrt(2 * (4.8 * 1024 - 8 * 128 + 2 * 16 - first));
   const CollisionInput elastic{{3, 1, 1.0 / 3, w0}, {gamma, 0.25, 0, Collision::unknown, 1, 0}};
-  const Collision jkr = collide(krijt_collision, elastic);
+  const Collision jkr = collide(krijt_collision, elastic, {.tolerance = 1e-11});
   CollisionInput fast = elastic;
   fast.values[2] = 1e-9;
   fast.values[5] = 1;
