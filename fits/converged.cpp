@@ -69,8 +69,9 @@ ContactMotion Convergence::once(double tolerance, bool full) {
 /// The outcome is no matter of numerical errors, and e, or e^2 of a stuck pair, is as wanted.
 bool Convergence::certain(double wanted) const {
   const double e2 = last.e_squared;
+  if (!sign_is_certain()) return false;
   if (last.outcome == CollisionOutcome::stick) return error <= wanted * std::max(1.0, std::abs(e2));
-  return sign_is_certain() && error_of_e(e2, error) <= wanted;
+  return error_of_e(e2, error) <= wanted;
 }
 
 /// Error of e^2 by the result of a coarser tolerance, and the energy that is not accounted for. Without

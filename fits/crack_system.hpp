@@ -29,23 +29,30 @@ inline double reference(CrackBranch branch) {
   return branch == CrackBranch::high ? std::log(greatest) : 0;
 }
 
+/// x |x|^(p - 1), whose slope does not vanish at x = 0 (as it would below this width): a fast crack is nearer
+/// to beta = 1 than rounding, and Newton's method needs its stiffness. It changes x by less than the width.
+inline constexpr double rounded_width = 1e-10;
+template <class T>
+T odd_power(const T& x, double p) {
+  using std::pow;
+  return x * pow(x * x + rounded_width * rounded_width, 0.5 * (p - 1));
+}
+
 /// f(beta) of B2 outside the logarithmic branches, 1/f inside; odd beyond beta = 1.
 template <class T>
 T law(CrackBranch branch, const T& z) {
-  using std::abs, std::exp, std::expm1, std::pow;
+  using std::abs, std::exp, std::expm1;
   switch (branch) {
     case CrackBranch::low: return least * exp(z) * logarithm(z) / 0.15;
     case CrackBranch::high: return logarithm(T(-z)) / (-0.24 * greatest) * exp(-z);
     case CrackBranch::below: {
       const T x = expm1(-z);
-      const T size = (0.1035 * abs(x) + 0.3421) * pow(abs(x), 1.1160);
-      return value_of(x) < 0 ? T(-size) : size;
+      return (0.1035 * abs(x) + 0.3421) * odd_power(x, 1.1160);
     }
     case CrackBranch::above: break;
   }
   const T x = expm1(z);
-  const T size = (0.2112 * abs(x) + 0.3939) * pow(abs(x), 1.1403);
-  return value_of(x) < 0 ? size : T(-size);
+  return -(0.2112 * abs(x) + 0.3939) * odd_power(x, 1.1403);
 }
 
 inline bool logarithmic(CrackBranch branch) {
@@ -73,7 +80,7 @@ struct CrackSystem {
   double c = 1;  ///< greatest speed of u by s
   CrackBranch branch = CrackBranch::low;
   bool sliding = false;         ///< along the join above `branch`
-  bool after_turn = false;      ///< an event is w rising through zero, else falling
+  bool after_turn = false;      ///< the spheres part: an event is w rising through zero, else falling
 
   template <class T, class P>
   void rates(const T* y, const P* p_, T* dy) const {
@@ -111,6 +118,10 @@ struct CrackSystem {
   template <class T, class P>
   T event(int k, const T* y, const P* p_) const {
     if (k == 0) return after_turn ? T(-y[0]) : y[0];
+    // At beta = 1 q' = -2w/h: it is passed upwards while the spheres part only, downwards while they
+    // approach only. A fast crack is nearer to it than rounding, and would seem to pass to and fro.
+    if (branch == CrackBranch::below && k == 2 && !after_turn) return T(1.0);
+    if (branch == CrackBranch::above && k == 1 && after_turn) return T(1.0);
     if (!sliding) return k == 1 ? T(y[2] - lower()) : T(upper() - y[2]);
     return k == 1 ? drift(y, p_, branch) : T(-drift(y, p_, next(branch)));
   }

@@ -29,6 +29,9 @@ const std::map<std::string_view, Parameters>& base_cases() {
       {"hertz", sphere},
       {"viscous-hertz", with({{"nu", 0.25}, {"T_vis", 0.075}})},
       {"jkr", with({{"gamma", 3.17}})},
+      {"dmt", with({{"gamma", 3.17}})},
+      {"thornton", with({{"v_Y", 0.0625}})},
+      {"andrews", with({{"Y", 5}})},
       {"krijt", with(krijt)},
       {"krijt-plastic", with(plastic)},
       {"stress", with({{"gamma", 3.17}, {"nu", 0.25}, {"C", 2.1e-4}, {"B", 6.2}, {"zeta", 4}, {"spacing", 1.091}})},
@@ -57,7 +60,7 @@ class Catalogue {
   void add(std::string_view law, std::string what, double computed, double exact, double needed) {
     LawCase c{law, std::move(what), computed, exact, needed, 0, unresolved_, evaluations_, seconds_};
     if (std::isfinite(computed)) c.digits = std::min(16.0, correct_digits({"", computed, exact, 0}));
-    if (find_collision_law(law)) cases.push_back(std::move(c));
+    if (find_collision_law(law) && !std::isnan(exact)) cases.push_back(std::move(c));
     evaluations_ = 0;
     seconds_ = 0;
     unresolved_ = false;
@@ -227,7 +230,7 @@ void add_krijt(Catalogue& c) {
       c.add_stick(law, fmt::format("sticks with {} x {:g}", t, x), c.run(law, with(p, {{t, p.at(t) * x}})));
     for (const double v : {1e-3, 1e-6, 1e-12, 1e-100})
       c.add_stick(law, fmt::format("sticks at v = {:g}", v), c.run(law, with(p, {{"v", v}})));
-    c.add(law, "e^2 started on the JKR curve", c.run(law, with(p, {{"T_crack", 1e-9}})).e_squared,
+    c.add(law, "e^2 with a fast crack and slow bulk", c.run(law, with(p, {{"T_crack", 1e-9}})).e_squared,
           c.run(law, with(p, {{"T_crack", 0}})).e_squared, 3.5);
   }
   const Parameters& p = base_cases().at("krijt");
@@ -270,6 +273,29 @@ void add_power(Catalogue& c) {
   for (const double d : {1e12, 1e30}) c.add_stick("power", fmt::format("sticks with D = {:g}", d), c.run("power", with(p, {{"D", d}})));
 }
 
+/// e = 1 with DMT's attraction; the closed forms of the plastic laws by x = v/v_Y (P1 eq. 13; for andrews
+/// e^2 = (sqrt(30x^2 - 5) - 2)/(3x^2), v_Y by the work up to delta_Y = (pi Y/(2 E*))^2 R*).
+void add_plastic(Catalogue& c) {
+  for (const double v : {1e-12, 1e-3, 0.1, 1e3}) {
+    c.add("dmt", fmt::format("e at v = {:g}", v), c.run("dmt", with(base_cases().at("dmt"), {{"v", v}})).e, 1, 16);
+    c.add("thornton", fmt::format("e^2 below the yield velocity, v = {:g}", v),
+          c.run("thornton", with(base_cases().at("thornton"), {{"v", v}, {"v_Y", 2 * v}})).e_squared, 1, 15);
+  }
+  const Parameters& p = base_cases().at("andrews");
+  const double r = p.at("R") / 2, m = p.at("m") / 2, e = p.at("E"), y = p.at("Y") / e;
+  const double depth = std::pow(std::numbers::pi * y / 2, 2);  // delta_Y/R*
+  const double v_y = std::sqrt(16.0 / 15.0 * e * r * r * r * std::pow(depth, 2.5) / m);
+  for (const double x : {1.001, 2.0, 30.0, 1e6}) {
+    const double tn = 6 * std::sqrt(3.0) / 5 * (1 - 1 / (6 * x * x)) / std::sqrt(1 + 2 * std::sqrt(1.2 * x * x - 0.2));
+    c.add("thornton", fmt::format("e^2 at v = {:g} v_Y", x),
+          c.run("thornton", with(base_cases().at("thornton"), {{"v", 0.0625 * x}})).e_squared, tn, 12);
+    c.add("andrews", fmt::format("e^2 at v = {:g} v_Y", x), c.run("andrews", with(p, {{"v", x * v_y}})).e_squared,
+          (std::sqrt(30 * x * x - 5) - 2) / (3 * x * x), 12);
+  }
+  for (const double x : {1e-6, 0.5, 0.999})
+    c.add("andrews", fmt::format("e at v = {:g} v_Y", x), c.run("andrews", with(p, {{"v", x * v_y}})).e, 1, 16);
+}
+
 /// Ice grains of 0.1 um.
 void add_grains(Catalogue& c) {
   Parameters p{{"R", 1e-7}, {"rho", 1000}, {"E", 7e9 / (2 * (1 - 0.0625))}, {"gamma", 0.1}};
@@ -298,6 +324,7 @@ std::vector<LawCase> law_catalogue() {
   add_krijt(c);
   add_stress(c);
   add_power(c);
+  add_plastic(c);
   add_grains(c);
   return std::move(c.cases);
 }

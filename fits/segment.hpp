@@ -10,7 +10,7 @@ namespace mdana {
 /// What bounds the work of an integration.
 struct IntegrationLimits {
   std::chrono::steady_clock::time_point deadline;
-  long steps = 20000;
+  long steps = 5000;
 };
 
 enum class SegmentEnd { event, out_of_time, out_of_steps, step_too_small, done };

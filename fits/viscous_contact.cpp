@@ -50,7 +50,7 @@ Collision on_jkr_curve(const ContactScales& scales, const Parameter& lam,
 /// Where a crack is so fast that double precision cannot tell its delay, and what that delay could cost
 /// in F_c delta_0: 4u(1 - beta) du with beta of the crack law while a moves, and the passage of
 /// pull-off, measured as 2.5 (w_0/kap)^(2/3) at kap = 1e9 to 1e11.
-constexpr double fastest_crack = 1e13;
+constexpr double fastest_crack = 1e12;
 double greatest_delay_loss(double kap, double w0, double u_max) {
   if (std::isinf(kap)) return 0;
   const double slowness = std::max(1.0, w0) / kap;

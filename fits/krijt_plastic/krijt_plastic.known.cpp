@@ -28,7 +28,7 @@ std::vector<KnownAnswer> krijt_plastic_known() {
       {"e^2 below the yield velocity", e_squared(0.5, 1, none), 1, 16},
       {"v_Y by the yield strength", e_squared(std::sqrt(3.5) * v_y, none, 0.25 / 1.6), law, 14},
       {"e far above", std::sqrt(e_squared(fast, 1, none)),
-       std::sqrt(6 * std::sqrt(3.0) / 5 / (2 * std::sqrt(1.2))) / std::pow(fast, 0.25), 5},
+       std::sqrt(6 * std::sqrt(3.0) / 5 / std::sqrt(2 * std::sqrt(1.2))) / std::pow(fast, 0.25), 5},
   };
 }
 
