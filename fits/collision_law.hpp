@@ -24,7 +24,8 @@ struct CollisionParameter {
   double greatest = std::numeric_limits<double>::max();
   /// If it is not given; NaN leaves it to the law (the meaning tells). Nothing: it must be given.
   std::optional<double> fallback = {};
-  std::string_view instead = {};  ///< of this one and that one, exactly one must be given; the other is NaN
+  std::string_view instead =
+      {};  ///< of this one and that one, exactly one must be given; the other is NaN
   std::span<const std::string_view> words = {};  ///< if not empty, the value is an index into them
 };
 
@@ -43,8 +44,8 @@ struct CollisionInput {
 };
 
 struct CollisionSettings {
-  double tolerance = 1e-8;    ///< wanted error of e
-  double time_limit = 2;      ///< [s]; beyond it the outcome is unresolved
+  double tolerance = 1e-8;  ///< wanted error of e
+  double time_limit = 2;    ///< [s]; beyond it the outcome is unresolved
   bool trajectory = false;
   bool sensitivities = false;
 };
@@ -66,17 +67,17 @@ struct CollisionSensitivities {
   Eigen::VectorXd e_squared, delta_max, t_max;
 };
 
-/// A collision as a law predicts it. Numbers that the law does not give, or that are not known since
-/// the outcome is unresolved, are NaN.
+/// A collision as a law predicts it. Numbers that the law does not give, or that are not known
+/// since the outcome is unresolved, are NaN.
 struct Collision {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   CollisionOutcome outcome = CollisionOutcome::unresolved;
-  std::string reason;             ///< why unresolved or stick; empty for a bounce
-  double e = unknown;             ///< 0 if the spheres stick
-  double e_error = unknown;       ///< estimated bound of the numerical error
-  /// e^2, continued below zero where the spheres stick: the energy that is missing at pull-off, over
-  /// m* v^2/2.
+  std::string reason;        ///< why unresolved or stick; empty for a bounce
+  double e = unknown;        ///< 0 if the spheres stick
+  double e_error = unknown;  ///< estimated bound of the numerical error
+  /// e^2, continued below zero where the spheres stick: the energy that is missing at pull-off,
+  /// over m* v^2/2.
   double e_squared = unknown;
   double e_squared_error = unknown;
   double delta_max = unknown;     ///< [length]
@@ -84,10 +85,10 @@ struct Collision {
   double contact_time = unknown;  ///< until detachment; NaN if the spheres stick [time]
   double a_max = unknown;         ///< greatest contact radius [length]
   double p_c_max = unknown;       ///< greatest pressure at the centre of contact [pressure]
-  /// |E + dissipated - E_0|, greatest of all steps, over m* v^2/2 or, if more, F_c delta_0; 0 where a closed
-  /// form has no such check.
+  /// |E + dissipated - E_0|, greatest of all steps, over m* v^2/2 or, if more, F_c delta_0; 0 where
+  /// a closed form has no such check.
   double energy_residual = unknown;
-  long evaluations = 0;           ///< of the equations' right-hand side; 0 for a closed form
+  long evaluations = 0;  ///< of the equations' right-hand side; 0 for a closed form
   double seconds = 0;
   std::vector<CollisionPoint> trajectory;               ///< if wanted
   std::optional<CollisionSensitivities> sensitivities;  ///< if wanted and the law has them
@@ -99,7 +100,7 @@ struct Collision {
 /// A law of collisions. Members of MDANA_COLLISION_LAWS in CMakeLists.txt; each defines
 /// `extern const CollisionLaw <name>_collision`.
 struct CollisionLaw {
-  std::string_view name;     ///< "viscous-hertz"
+  std::string_view name;  ///< "viscous-hertz"
   std::string_view summary;
   std::span<const CollisionParameter> parameters;
   Collision (*collide)(const CollisionInput& input, const CollisionSettings& settings);
@@ -114,8 +115,8 @@ const CollisionLaw* find_collision_law(std::string_view name);
 /// Index of a law's parameter; nothing if it has none of that name.
 std::optional<std::size_t> parameter_index(const CollisionLaw& law, std::string_view name);
 
-/// What all laws have, under the names that users give: R or R1 R2, m or m1 m2 or rho, E, v. R2 and m2
-/// are infinite for a wall.
+/// What all laws have, under the names that users give: R or R1 R2, m or m1 m2 or rho, E, v. R2 and
+/// m2 are infinite for a wall.
 std::span<const CollisionParameter> impact_parameters();
 
 /// "T_vis=0.075" taken apart.
@@ -123,12 +124,12 @@ struct NamedValue {
   std::string name, text;
 };
 
-/// Reads and checks the parameters of a law. Throws InputError naming the parameter that is unknown,
-/// given twice, missing, not a number or out of its range.
+/// Reads and checks the parameters of a law. Throws InputError naming the parameter that is
+/// unknown, given twice, missing, not a number or out of its range.
 CollisionInput collision_input(const CollisionLaw& law, std::span<const NamedValue> given);
 
-/// The law's collision, with the seconds that it took. Throws InputError naming a value that is out of
-/// its range.
+/// The law's collision, with the seconds that it took. Throws InputError naming a value that is out
+/// of its range.
 Collision collide(const CollisionLaw& law, const CollisionInput& input,
                   const CollisionSettings& settings = {});
 

@@ -23,8 +23,8 @@ VelocityFound nothing(VelocityFound found, std::string reason) {
   return found;
 }
 
-/// Halves the bracket as long as the sign there is known: `sign(v)` is -1 on the side of low, 1 on the
-/// side of high, 0 if it cannot be told.
+/// Halves the bracket as long as the sign there is known: `sign(v)` is -1 on the side of low, 1 on
+/// the side of high, 0 if it cannot be told.
 template <class Sign>
 void bisect(VelocityFound& found, double low, double high, Sign&& sign) {
   while (high - low > narrow * high) {
@@ -94,7 +94,8 @@ VelocityFound peak_velocity(const CollisionLaw& law, CollisionInput input,
     return nothing(found, "the law gives no derivative of e");
   bisect(found, velocities[best - 1], velocities[best + 1], [&](double v) {
     const Collision c = at(law, input, v, with, found);
-    if (c.outcome != CollisionOutcome::bounce) return c.outcome == CollisionOutcome::stick && v < velocities[best] ? -1 : 0;
+    if (c.outcome != CollisionOutcome::bounce)
+      return c.outcome == CollisionOutcome::stick && v < velocities[best] ? -1 : 0;
     const double slope = c.sensitivities->e_squared[3];
     return slope > 0 ? -1 : slope < 0 ? 1 : 0;
   });

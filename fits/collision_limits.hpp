@@ -15,17 +15,17 @@ struct VelocityFound {
   std::string reason;                    ///< why nothing was found
   double e = Collision::unknown;         ///< there
   double e_error = Collision::unknown;
-  long collisions = 0;                   ///< computed for it
+  long collisions = 0;  ///< computed for it
 
   bool found() const { return reason.empty(); }
 };
 
-/// Velocities to look at first if none are stated, ascending: about what JKR needs to bounce, or, without
-/// adhesion, about the speed of sound.
+/// Velocities to look at first if none are stated, ascending: about what JKR needs to bounce, or,
+/// without adhesion, about the speed of sound.
 std::vector<double> search_velocities(const CollisionLaw& law, const CollisionInput& input);
 
-/// The velocity above which the spheres bounce: the first change from sticking to bouncing along the
-/// ascending velocities, by bisection of the outcome.
+/// The velocity above which the spheres bounce: the first change from sticking to bouncing along
+/// the ascending velocities, by bisection of the outcome.
 VelocityFound sticking_velocity(const CollisionLaw& law, CollisionInput input,
                                 const std::vector<double>& velocities,
                                 const CollisionSettings& settings = {});

@@ -29,8 +29,8 @@ struct ContactMotion {
 
   CollisionOutcome outcome = CollisionOutcome::unresolved;
   std::string reason;
-  bool bound = false;    ///< that the spheres stick is proven, whatever e_squared is
-  bool adhesive = true;  ///< without adhesion every collision is a bounce
+  bool bound = false;          ///< that the spheres stick is proven, whatever e_squared is
+  bool adhesive = true;        ///< without adhesion every collision is a bounce
   double e_squared = unknown;  ///< continued below zero if the spheres stick
   double d_max = unknown, t_max = unknown, t_end = unknown;
   double u_max = 0;
@@ -44,13 +44,13 @@ struct ContactMotion {
            by_t_max = Gradient::Zero();
 };
 
-/// Krijt's contact with a free contact radius (P1 eqs 10-12, B1, B2), or with T(p_c) of eq. 17, in the
-/// scaled variables of fits/jkr.
+/// Krijt's contact with a free contact radius (P1 eqs 10-12, B1, B2), or with T(p_c) of eq. 17, in
+/// the scaled variables of fits/jkr.
 struct CrackContact {
-  double w0 = 0;       ///< impact speed
-  double lam = 0;      ///< 2 T_vis/(nu^2 tau)
-  double kap = 0;      ///< 2 E* gamma tau/(sigma_0^2 T_crack a_0)
-  double b = 0;        ///< B p_c/E* = b (u - 1/(3 sqrt u))
+  double w0 = 0;   ///< impact speed
+  double lam = 0;  ///< 2 T_vis/(nu^2 tau)
+  double kap = 0;  ///< 2 E* gamma tau/(sigma_0^2 T_crack a_0)
+  double b = 0;    ///< B p_c/E* = b (u - 1/(3 sqrt u))
   double zeta = 1;
   bool stress = false;           ///< T(p_c) in the force
   bool stress_in_crack = false;  ///< and in the crack law

@@ -36,8 +36,8 @@ ContactScales jkr_scales(const LawInput& i, const Parameter& gamma) {
 ContactScales hertz_scales(const LawInput& i) {
   ContactScales s;
   s.adhesive = false;
-  const Parameter x =
-      pow((i.mass / (i.radius * i.radius * i.radius)) * (i.velocity * (i.velocity / i.modulus)), 0.4);
+  const Parameter x = pow(
+      (i.mass / (i.radius * i.radius * i.radius)) * (i.velocity * (i.velocity / i.modulus)), 0.4);
   s.delta = x * i.radius;
   s.time = s.delta / i.velocity;
   s.radius = sqrt(x) * i.radius;

@@ -9,8 +9,8 @@ namespace {
 
 using MoveContact = std::function<ContactMotion(const MotionSettings&)>;
 
-/// Tolerance of a step's embedded error (order S) that keeps e within the wanted error (order 2S - 1):
-/// 2e-5 gives 1e-8 at the stiff collisions of P1, with a margin.
+/// Tolerance of a step's embedded error (order S) that keeps e within the wanted error (order 2S -
+/// 1): 2e-5 gives 1e-8 at the stiff collisions of P1, with a margin.
 constexpr double first_tolerance(double wanted) { return 2e-5 * std::pow(wanted / 1e-8, 0.7); }
 constexpr const char* too_close =
     "within the numerical error of the limit between bouncing and sticking";
@@ -74,8 +74,9 @@ bool Convergence::certain(double wanted) const {
   return error_of_e(e2, error) <= wanted;
 }
 
-/// Error of e^2 by the result of a coarser tolerance, and the energy that is not accounted for. Without
-/// adhesion a collision that loses nearly all is damped, and so are its errors: they are as e^2.
+/// Error of e^2 by the result of a coarser tolerance, and the energy that is not accounted for.
+/// Without adhesion a collision that loses nearly all is damped, and so are its errors: they are as
+/// e^2.
 double Convergence::difference(const ContactMotion& before) const {
   const double scale = last.adhesive ? std::max(1.0, 2 / (w0_ * w0_)) : last.e_squared;
   return std::abs(last.e_squared - before.e_squared) + (last.residual + 4e-15) * scale;
@@ -116,10 +117,10 @@ CollisionSensitivities sensitivities(const ContactMotion& motion, const ContactS
                                      const std::vector<Parameter>& scaled) {
   CollisionSensitivities s;
   s.e_squared = by_input(motion.by_e_squared, scaled);
-  s.delta_max = scales.delta.value * by_input(motion.by_d_max, scaled) +
-                motion.d_max * scales.delta.gradient;
-  s.t_max = scales.time.value * by_input(motion.by_t_max, scaled) +
-            motion.t_max * scales.time.gradient;
+  s.delta_max =
+      scales.delta.value * by_input(motion.by_d_max, scaled) + motion.d_max * scales.delta.gradient;
+  s.t_max =
+      scales.time.value * by_input(motion.by_t_max, scaled) + motion.t_max * scales.time.gradient;
   return s;
 }
 
@@ -175,7 +176,8 @@ Collision collide_with_crack(const CrackContact& kind, const std::vector<Paramet
   contact.kap = scaled[2].value;
   contact.b = scaled[3].value;
   contact.zeta = scaled[4].value;
-  return converge(scaled, scales, settings, [&](const MotionSettings& s) { return move(contact, s); });
+  return converge(scaled, scales, settings,
+                  [&](const MotionSettings& s) { return move(contact, s); });
 }
 
 Collision collide_on_curve(const CurveContact& kind, const std::vector<Parameter>& scaled,
@@ -184,7 +186,8 @@ Collision collide_on_curve(const CurveContact& kind, const std::vector<Parameter
   contact.adhesive = scales.adhesive;
   contact.w0 = scaled[0].value;
   for (std::size_t k = 0; k < contact.p.size(); ++k) contact.p[k] = scaled[k + 1].value;
-  return converge(scaled, scales, settings, [&](const MotionSettings& s) { return move(contact, s); });
+  return converge(scaled, scales, settings,
+                  [&](const MotionSettings& s) { return move(contact, s); });
 }
 
 void set_restitution(Collision& c, double e_squared, double error) {

@@ -8,10 +8,11 @@ namespace {
 using Stepper = Radau<CrackSystem>;
 using Full = Stepper::Full;
 
-constexpr double least_energy = -1.2;                   // U at equilibrium, u = d = 1
+constexpr double least_energy = -1.2;  // U at equilibrium, u = d = 1
 
-/// How far a contact at rest at d is from bouncing: its energy on the JKR curve, less that of pull-off;
-/// zero beyond pull-off, where only time is missing. And the derivative by d, which is the force.
+/// How far a contact at rest at d is from bouncing: its energy on the JKR curve, less that of
+/// pull-off; zero beyond pull-off, where only time is missing. And the derivative by d, which is
+/// the force.
 struct Missing {
   double energy = 0, by_d = 0;
 
@@ -20,7 +21,9 @@ struct Missing {
     if (d <= 3 * last * last * last * last - 2 * last) return;
     double s = 1 + std::pow(std::max(d, 0.0) / 3, 0.25);
     for (int i = 0; i < 60; ++i) s -= (3 * s * s * s * s - 2 * s - d) / (12 * s * s * s - 2);
-    const auto on_curve = [](double x) { return x * x * x * x * (x * x * x * (4.8 * x * x * x - 8) + 2); };
+    const auto on_curve = [](double x) {
+      return x * x * x * x * (x * x * x * (4.8 * x * x * x - 8) + 2);
+    };
     energy = on_curve(s) - on_curve(last);
     by_d = 4 * s * s * s * (s * s * s - 1);
   }
@@ -33,8 +36,8 @@ class CrackCollision {
       : contact_(contact),
         settings_(settings),
         system_(system_of(contact)),
-        integration_(start(contact), scale_of(contact.w0), settings.tolerance,
-                     1e-3 / system_.c, settings.limits) {
+        integration_(start(contact), scale_of(contact.w0), settings.tolerance, 1e-3 / system_.c,
+                     settings.limits) {
     energy_ = first_energy_ = system_.energy(integration_.stepper.y().data());
     if (!settings.sensitivities) return;
     Stepper::Derivatives by = Stepper::Derivatives::Zero();
@@ -124,8 +127,8 @@ bool CrackCollision::go_on() {
 void CrackCollision::observe(const Stepper& stepper) {
   const Full& end = stepper.end();
   energy_ = system_.energy(end.data());
-  const double residual = std::abs(energy_ + end[4] - first_energy_) /
-                          std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
+  const double residual =
+      std::abs(energy_ + end[4] - first_energy_) / std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
   motion_.residual = std::max(motion_.residual, residual);
   if (!settings_.trajectory) return;
   for (int i = 0; i < Stepper::stages; ++i) {
@@ -193,7 +196,8 @@ bool CrackCollision::reach_end_of_branch(Full& y) {
   CrackSystem at_join = system_;
   at_join.branch = lower;
   const double z = at_join.upper() + crack::reference(lower);
-  if (lower == CrackBranch::below) return cross(y, up ? upper : lower, z);  // beta = 1: f = 0 on both
+  if (lower == CrackBranch::below)
+    return cross(y, up ? upper : lower, z);  // beta = 1: f = 0 on both
   y[2] = at_join.upper();
   const double onward = at_join.drift(y.data(), system_.p.data(), up ? upper : lower);
   if (up ? onward > 0 : onward < 0) return cross(y, up ? upper : lower, z);
@@ -218,7 +222,8 @@ void CrackCollision::detach(const Full& y) {
   if (!settings_.sensitivities) return;
   Full by = Full::Zero();
   by[0] = -2 * std::abs(e) / w0;
-  motion_.by_e_squared = derivative(by) + (before < 0 ? motion_.by_e_squared : ContactMotion::Gradient::Zero());
+  motion_.by_e_squared =
+      derivative(by) + (before < 0 ? motion_.by_e_squared : ContactMotion::Gradient::Zero());
   motion_.by_e_squared[0] -= 2 * e * std::abs(e) / w0;
 }
 
@@ -243,9 +248,14 @@ void CrackCollision::stick() {
 void CrackCollision::give_up(SegmentEnd end) {
   if (energy_ < 0 && turned_) return stick();
   switch (end) {
-    case SegmentEnd::out_of_time: motion_.reason = "the time limit is reached"; break;
-    case SegmentEnd::out_of_steps: motion_.reason = "too many steps"; break;
-    default: motion_.reason = "no step is small enough for the tolerance";
+    case SegmentEnd::out_of_time:
+      motion_.reason = "the time limit is reached";
+      break;
+    case SegmentEnd::out_of_steps:
+      motion_.reason = "too many steps";
+      break;
+    default:
+      motion_.reason = "no step is small enough for the tolerance";
   }
 }
 

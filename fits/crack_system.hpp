@@ -29,8 +29,9 @@ inline double reference(CrackBranch branch) {
   return branch == CrackBranch::high ? std::log(greatest) : 0;
 }
 
-/// x |x|^(p - 1), whose slope does not vanish at x = 0 (as it would below this width): a fast crack is nearer
-/// to beta = 1 than rounding, and Newton's method needs its stiffness. It changes x by less than the width.
+/// x |x|^(p - 1), whose slope does not vanish at x = 0 (as it would below this width): a fast crack
+/// is nearer to beta = 1 than rounding, and Newton's method needs its stiffness. It changes x by
+/// less than the width.
 inline constexpr double rounded_width = 1e-10;
 template <class T>
 T odd_power(const T& x, double p) {
@@ -43,13 +44,16 @@ template <class T>
 T law(CrackBranch branch, const T& z) {
   using std::abs, std::exp, std::expm1;
   switch (branch) {
-    case CrackBranch::low: return least * exp(z) * logarithm(z) / 0.15;
-    case CrackBranch::high: return logarithm(T(-z)) / (-0.24 * greatest) * exp(-z);
+    case CrackBranch::low:
+      return least * exp(z) * logarithm(z) / 0.15;
+    case CrackBranch::high:
+      return logarithm(T(-z)) / (-0.24 * greatest) * exp(-z);
     case CrackBranch::below: {
       const T x = expm1(-z);
       return (0.1035 * abs(x) + 0.3421) * odd_power(x, 1.1160);
     }
-    case CrackBranch::above: break;
+    case CrackBranch::above:
+      break;
   }
   const T x = expm1(z);
   return -(0.2112 * abs(x) + 0.3939) * odd_power(x, 1.1403);
@@ -61,8 +65,8 @@ inline bool logarithmic(CrackBranch branch) {
 
 /// f at a join, seen from a branch beside it.
 inline double join_value(CrackBranch branch) {
-  const double z = std::log(branch == CrackBranch::low || branch == CrackBranch::below ? low_join
-                                                                                       : high_join);
+  const double z =
+      std::log(branch == CrackBranch::low || branch == CrackBranch::below ? low_join : high_join);
   const double value = law(branch, z - reference(branch));
   return logarithmic(branch) ? 1 / value : value;
 }
@@ -79,8 +83,8 @@ struct CrackSystem {
   bool stress = false, stress_in_crack = false;
   double c = 1;  ///< greatest speed of u by s
   CrackBranch branch = CrackBranch::low;
-  bool sliding = false;         ///< along the join above `branch`
-  bool after_turn = false;      ///< the spheres part: an event is w rising through zero, else falling
+  bool sliding = false;     ///< along the join above `branch`
+  bool after_turn = false;  ///< the spheres part: an event is w rising through zero, else falling
 
   template <class T, class P>
   void rates(const T* y, const P* p_, T* dy) const {
@@ -118,8 +122,9 @@ struct CrackSystem {
   template <class T, class P>
   T event(int k, const T* y, const P* p_) const {
     if (k == 0) return after_turn ? T(-y[0]) : y[0];
-    // At beta = 1 q' = -2w/h: it is passed upwards while the spheres part only, downwards while they
-    // approach only. A fast crack is nearer to it than rounding, and would seem to pass to and fro.
+    // At beta = 1 q' = -2w/h: it is passed upwards while the spheres part only, downwards while
+    // they approach only. A fast crack is nearer to it than rounding, and would seem to pass to and
+    // fro.
     if (branch == CrackBranch::below && k == 2 && !after_turn) return T(1.0);
     if (branch == CrackBranch::above && k == 1 && after_turn) return T(1.0);
     if (!sliding) return k == 1 ? T(y[2] - lower()) : T(upper() - y[2]);
@@ -129,21 +134,30 @@ struct CrackSystem {
   /// Ends of the branch in its z. Beyond beta = 0.02 the law has no meaning: it repels.
   double lower() const {
     switch (branch) {
-      case CrackBranch::low: return -1e-3;
-      case CrackBranch::below: return std::log(crack::low_join);
-      case CrackBranch::above: return 0;
-      case CrackBranch::high: break;
+      case CrackBranch::low:
+        return -1e-3;
+      case CrackBranch::below:
+        return std::log(crack::low_join);
+      case CrackBranch::above:
+        return 0;
+      case CrackBranch::high:
+        break;
     }
     return std::log(crack::high_join) - crack::reference(branch);
   }
   double upper() const {
     switch (branch) {
-      case CrackBranch::low: return std::log(crack::low_join) - crack::reference(branch);
-      case CrackBranch::above: return std::log(crack::high_join);
-      default: return 0;
+      case CrackBranch::low:
+        return std::log(crack::low_join) - crack::reference(branch);
+      case CrackBranch::above:
+        return std::log(crack::high_join);
+      default:
+        return 0;
     }
   }
-  static CrackBranch next(CrackBranch b) { return static_cast<CrackBranch>(static_cast<int>(b) + 1); }
+  static CrackBranch next(CrackBranch b) {
+    return static_cast<CrackBranch>(static_cast<int>(b) + 1);
+  }
 
   /// dq/dtau that the law of a branch would give at its join.
   template <class T, class P>

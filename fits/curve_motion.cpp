@@ -8,22 +8,50 @@ namespace {
 /// u = sqrt(d) without adhesion, from touch to touch: F = 4/3 u^3.
 struct HertzCurve {
   static constexpr double first = 0, last = 0, last_energy = 0, least_energy = 0;
-  template <class T> static T d(const T& u) { return u * u; }
-  template <class T> static T slope(const T& u) { return 2 * u; }  // dd/du
-  template <class T> static T force(const T& u) { return 4.0 / 3.0 * u * u * u; }
-  template <class T> static T pressure(const T& u) { return u; }
+  template <class T>
+  static T d(const T& u) {
+    return u * u;
+  }
+  template <class T>
+  static T slope(const T& u) {
+    return 2 * u;
+  }  // dd/du
+  template <class T>
+  static T force(const T& u) {
+    return 4.0 / 3.0 * u * u * u;
+  }
+  template <class T>
+  static T pressure(const T& u) {
+    return u;
+  }
   static double energy(double u) { return 8.0 / 15.0 * u * u * u * u * u; }
 };
 
-/// d = 3u^2 - 2 sqrt(u) from first contact, u^3 = 4/9, to pull-off, u^3 = 1/36; there the slope is zero,
-/// but as a function of u everything is smooth.
+/// d = 3u^2 - 2 sqrt(u) from first contact, u^3 = 4/9, to pull-off, u^3 = 1/36; there the slope is
+/// zero, but as a function of u everything is smooth.
 struct JkrCurve {
   static const double first, last, last_energy;
   static constexpr double least_energy = -1.2;
-  template <class T> static T d(const T& u) { using std::sqrt; return 3 * u * u - 2 * sqrt(u); }
-  template <class T> static T slope(const T& u) { using std::sqrt; return 6 * u - 1 / sqrt(u); }
-  template <class T> static T force(const T& u) { using std::sqrt; return 4 * u * (u * u - sqrt(u)); }
-  template <class T> static T pressure(const T& u) { using std::sqrt; return u - 1 / (3 * sqrt(u)); }
+  template <class T>
+  static T d(const T& u) {
+    using std::sqrt;
+    return 3 * u * u - 2 * sqrt(u);
+  }
+  template <class T>
+  static T slope(const T& u) {
+    using std::sqrt;
+    return 6 * u - 1 / sqrt(u);
+  }
+  template <class T>
+  static T force(const T& u) {
+    using std::sqrt;
+    return 4 * u * (u * u - sqrt(u));
+  }
+  template <class T>
+  static T pressure(const T& u) {
+    using std::sqrt;
+    return u - 1 / (3 * sqrt(u));
+  }
   static double energy(double u) {
     return u * u * (u * std::sqrt(u) * (4.8 * u * std::sqrt(u) - 8) + 2);
   }
@@ -104,7 +132,9 @@ class CurveCollision {
   bool go_on() {
     const SegmentEnd end = integration_.run(
         system_, [&](const Stepper& s) { observe(s); },
-        [&](const Full&) { return turned_ && Curve::least_energy < 0 && energy_ - Curve::least_energy < 1e-9; });
+        [&](const Full&) {
+          return turned_ && Curve::least_energy < 0 && energy_ - Curve::least_energy < 1e-9;
+        });
     const Full y = integration_.stepper.y();
     motion_.u_max = std::max(motion_.u_max, y[1]);
     if (end == SegmentEnd::done) return stick(), false;
@@ -169,9 +199,14 @@ class CurveCollision {
   void give_up(SegmentEnd end) {
     if (turned_ && energy_ < Curve::last_energy) return stick();
     switch (end) {
-      case SegmentEnd::out_of_time: motion_.reason = "the time limit is reached"; break;
-      case SegmentEnd::out_of_steps: motion_.reason = "too many steps"; break;
-      default: motion_.reason = "no step is small enough for the tolerance";
+      case SegmentEnd::out_of_time:
+        motion_.reason = "the time limit is reached";
+        break;
+      case SegmentEnd::out_of_steps:
+        motion_.reason = "too many steps";
+        break;
+      default:
+        motion_.reason = "no step is small enough for the tolerance";
     }
   }
 
@@ -186,8 +221,7 @@ class CurveCollision {
 
 template <class Curve>
 ContactMotion move_on(const CurveContact& contact, const MotionSettings& settings) {
-  if (contact.power)
-    return CurveCollision<Curve, PowerResistance>(contact, {}, settings).run();
+  if (contact.power) return CurveCollision<Curve, PowerResistance>(contact, {}, settings).run();
   return CurveCollision<Curve, BulkResistance>(contact, {contact.stress}, settings).run();
 }
 

@@ -96,7 +96,8 @@ Dual<N> abs(const Dual<N>& x) {
 template <int N>
 Dual<N> pow(const Dual<N>& x, double p) {
   const double power = std::pow(x.value, p);
-  return {power, x.value > 0 ? (x.gradient * (p * power / x.value)).eval() : Dual<N>::Gradient::Zero()};
+  return {power,
+          x.value > 0 ? (x.gradient * (p * power / x.value)).eval() : Dual<N>::Gradient::Zero()};
 }
 template <int N>
 Dual<N> pow(const Dual<N>& x, const Dual<N>& p) {

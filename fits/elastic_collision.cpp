@@ -15,7 +15,8 @@ void add_trajectory(Collision& c, const Impact& impact) {
   constexpr int half = 64;
   double time = 0;
   std::vector<CollisionPoint> loading;
-  // y = sqrt(1 - x): dt = delta_max/v 2y dy/sqrt(1 - (1 - y^2)^2.5), which is smooth; Simpson's rule.
+  // y = sqrt(1 - x): dt = delta_max/v 2y dy/sqrt(1 - (1 - y^2)^2.5), which is smooth; Simpson's
+  // rule.
   const auto pace = [](double y) {
     if (y == 0) return 2 / std::sqrt(2.5);
     return 2 * y / std::sqrt(-std::expm1(2.5 * std::log1p(-y * y)));
@@ -35,7 +36,8 @@ void add_trajectory(Collision& c, const Impact& impact) {
   for (const CollisionPoint& p : loading) c.trajectory.push_back(p);
   for (int k = half - 1; k >= 0; --k) {
     const CollisionPoint& p = loading[static_cast<std::size_t>(k)];
-    c.trajectory.push_back({c.contact_time - p.time, p.delta, -p.velocity, p.contact_radius, p.force});
+    c.trajectory.push_back(
+        {c.contact_time - p.time, p.delta, -p.velocity, p.contact_radius, p.force});
   }
 }
 
@@ -58,7 +60,8 @@ Collision collide_elastic(const LawInput& input, const CollisionSettings& settin
   c.p_c_max = scales.centre_pressure(u);
   c.energy_residual = 0;
   if (settings.trajectory)
-    add_trajectory(c, {input.radius.value, input.mass.value, input.modulus.value, input.velocity.value});
+    add_trajectory(
+        c, {input.radius.value, input.mass.value, input.modulus.value, input.velocity.value});
   if (settings.sensitivities)
     c.sensitivities = {Parameter::Gradient::Zero(), d_max.gradient, t_max.gradient};
   return c;

@@ -10,11 +10,11 @@ namespace mdana {
 /// An extreme or stiff collision of which something is known by analysis.
 struct LawCase {
   std::string_view law;
-  std::string what;      ///< "e^2 without dissipation, R = 1e9"
+  std::string what;  ///< "e^2 without dissipation, R = 1e9"
   double computed = 0;
   double exact = 0;
-  double needed = 0;     ///< digits that must be kept
-  double digits = 0;     ///< that are; 0 if the outcome is unresolved, unless that is right
+  double needed = 0;  ///< digits that must be kept
+  double digits = 0;  ///< that are; 0 if the outcome is unresolved, unless that is right
   bool unresolved = false;
   long evaluations = 0;
   double seconds = 0;

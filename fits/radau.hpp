@@ -33,13 +33,17 @@ class Radau {
   using Derivatives = Eigen::Matrix<double, n + q, np>;  ///< of y by p
 
   Radau(const Full& y, const States& scale, double newton_tolerance)
-      : tableau_(RadauTableau<S>::get()), y_(y), scale_(scale), newton_tolerance_(newton_tolerance) {}
+      : tableau_(RadauTableau<S>::get()),
+        y_(y),
+        scale_(scale),
+        newton_tolerance_(newton_tolerance) {}
 
   /// Tries a step of length h from y; false if the stages cannot be solved for.
   bool attempt(const System& system, double h);
   /// Error of the last attempt by the embedded formula of order S, in units of the scale.
   double error() const { return error_; }
-  /// Replaces y by the end of the last attempt, with derivatives by the parameters if they are kept.
+  /// Replaces y by the end of the last attempt, with derivatives by the parameters if they are
+  /// kept.
   void accept(const System& system);
   /// Another system goes on from y, changed by the caller.
   void restart(const Full& y) { y_ = y, fresh_ = true, jacobian_known_ = false; }
@@ -55,7 +59,8 @@ class Radau {
   void keep_derivatives(const Derivatives& start) { derivatives_ = start, keeps_ = true; }
   const Derivatives& derivatives() const { return derivatives_; }
   /// After a step that ends where an event of that gradient is zero: the end moves with p.
-  void end_at_event(const System& system, const States& by_y, const Eigen::Matrix<double, np, 1>& by_p);
+  void end_at_event(const System& system, const States& by_y,
+                    const Eigen::Matrix<double, np, 1>& by_p);
   bool keeps_derivatives() const { return keeps_; }
 
   Full rates(const System& system, const States& y) {

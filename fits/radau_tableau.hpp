@@ -25,7 +25,8 @@ struct RadauTableau {
   Eigen::Matrix<std::complex<double>, pairs, 1> eigenvalues;
   Eigen::Matrix<std::complex<double>, S, pairs> vectors;
   Eigen::Matrix<std::complex<double>, pairs, S> rows;
-  /// Embedded formula of order S: error = start h f(y_0) + sum increments_i Z_i, before it is filtered.
+  /// Embedded formula of order S: error = start h f(y_0) + sum increments_i Z_i, before it is
+  /// filtered.
   double error_start;
   Vector error_increments;
   Eigen::Matrix<double, S + 1, 1> weights;  ///< barycentric, of the nodes 0, c_1 ... c_S

@@ -19,7 +19,8 @@ auto stress_factor(const T& p, const P& b, const P& zeta) {
   const Result x = p * b;
   if (!(value_of(x) > 0)) return Result(1);
   const Result power = pow(x, zeta);
-  return value_of(power) < greatest_exponent ? Result(exp(power)) : Result(std::exp(greatest_exponent));
+  return value_of(power) < greatest_exponent ? Result(exp(power))
+                                             : Result(std::exp(greatest_exponent));
 }
 
 /// Force of bulk dissipation lam u w, P1 eq. 12, with T(p_c) if `stress`. p: lam, b, zeta.

@@ -18,7 +18,8 @@ enum class SegmentEnd { event, out_of_time, out_of_steps, step_too_small, done }
 /// Integrates a system until the first of its events,
 ///
 ///     static constexpr int events;
-///     template <class T, class P> T event(int k, const T* y, const P* p) const;   // falls through zero
+///     template <class T, class P> T event(int k, const T* y, const P* p) const;   // falls through
+///     zero
 ///
 /// with steps whose embedded error keeps below a tolerance.
 template <class System, int S = 5>
@@ -32,7 +33,9 @@ class Integration {
       // The embedded formula is of order S, the step of order 2S - 1: the stages must be solved to
       // what the step can do.
       : stepper(y, scale, std::max(1e-14, 1e-2 * std::pow(tolerance, (2.0 * S - 1) / (S + 1)))),
-        tolerance_(tolerance), h_(h), limits_(limits) {}
+        tolerance_(tolerance),
+        h_(h),
+        limits_(limits) {}
 
   Stepper stepper;
   int event = -1;  ///< that ended the last segment
@@ -57,13 +60,15 @@ class Integration {
   IntegrationLimits limits_;
 };
 
-/// By the error of this step and its growth since the last one (Gustafsson); none right after a rejection.
+/// By the error of this step and its growth since the last one (Gustafsson); none right after a
+/// rejection.
 template <class System, int S>
 double Integration<System, S>::next_length() {
   constexpr double power = -1.0 / (S + 1);
   const double ratio = stepper.error() / tolerance_ + 1e-12;
   double factor = 0.9 * std::pow(ratio, power);
-  if (last_h_ > 0) factor = std::min(factor, factor * h_ / last_h_ * std::pow(ratio / last_ratio_, power));
+  if (last_h_ > 0)
+    factor = std::min(factor, factor * h_ / last_h_ * std::pow(ratio / last_ratio_, power));
   last_h_ = h_;
   last_ratio_ = std::max(ratio, 1e-3);
   return h_ * std::clamp(factor, 0.2, rejected_ ? 1.0 : 6.0);
@@ -86,7 +91,8 @@ bool Integration<System, S>::good_step(const System& system) {
   return false;
 }
 
-/// Where the k-th event is zero within the last attempt, by bisection and the rule of false position.
+/// Where the k-th event is zero within the last attempt, by bisection and the rule of false
+/// position.
 template <class System, int S>
 double Integration<System, S>::root(const System& system, int k) const {
   double low = 0, high = 1;

@@ -47,9 +47,9 @@ Collision on_jkr_curve(const ContactScales& scales, const Parameter& lam,
   return c;
 }
 
-/// Where a crack is so fast that double precision cannot tell its delay, and what that delay could cost
-/// in F_c delta_0: 4u(1 - beta) du with beta of the crack law while a moves, and the passage of
-/// pull-off, measured as 2.5 (w_0/kap)^(2/3) at kap = 1e9 to 1e11.
+/// Where a crack is so fast that double precision cannot tell its delay, and what that delay could
+/// cost in F_c delta_0: 4u(1 - beta) du with beta of the crack law while a moves, and the passage
+/// of pull-off, measured as 2.5 (w_0/kap)^(2/3) at kap = 1e9 to 1e11.
 constexpr double fastest_crack = 1e12;
 double greatest_delay_loss(double kap, double w0, double u_max) {
   if (std::isinf(kap)) return 0;
@@ -78,7 +78,8 @@ Collision collide_viscous(const LawInput& input, const ViscousContact& contact,
   const Parameter kap = 2 * (input.modulus / contact.gamma) * (contact.spacing / scales.radius) *
                         contact.spacing * (scales.time / T_crack);
   if (kap.value > fastest_crack)
-    return with_fast_crack(on_jkr_curve(scales, lam, contact, settings, w0), kap.value, w0.value, scales);
+    return with_fast_crack(on_jkr_curve(scales, lam, contact, settings, w0), kap.value, w0.value,
+                           scales);
   CrackContact kind;
   kind.start_on_curve = contact.start_on_curve;
   kind.stress = contact.stress.has_value();

@@ -50,9 +50,10 @@ void add_lines(Document& document, const Collision& c) {
   for (const Number& n : numbers) {
     const double value = n.of(c);
     if (n.name == "e_error" || n.name == "seconds" || !std::isfinite(value)) continue;
-    document.line(std::string(n.name), n.name == "e"                 ? fmt::format("{:.10g} ± {:.1g}", value, c.e_error)
-                                       : n.name == "energy_residual" ? fmt::format("{:.1g}", value)
-                                                                     : fmt::format("{:.8g}", value));
+    document.line(std::string(n.name),
+                  n.name == "e"                 ? fmt::format("{:.10g} ± {:.1g}", value, c.e_error)
+                  : n.name == "energy_residual" ? fmt::format("{:.1g}", value)
+                                                : fmt::format("{:.8g}", value));
   }
   document.line("computed", fmt::format("in {:.5f} s", c.seconds));
 }

@@ -22,7 +22,8 @@ Table collision_table(std::span<const double> velocities, std::span<const Collis
 /// t, delta, v, a, F.
 Table trajectory_table(const Collision& collision);
 
-/// {"value", "error", ...} of a velocity that was looked for; null, and what is left out, without one.
+/// {"value", "error", ...} of a velocity that was looked for; null, and what is left out, without
+/// one.
 void add_velocity(Document& document, const std::string& name, const VelocityFound& found);
 
 }  // namespace mdana

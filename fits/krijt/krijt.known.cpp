@@ -14,7 +14,8 @@ std::vector<KnownAnswer> krijt_known();
 // w_0^2/2 + U((4/9)^(1/3)).
 std::vector<KnownAnswer> krijt_known() {
   const double pi = 3.141592653589793, gamma = 1 / (9 * pi);
-  const double u = std::cbrt(4.0 / 9.0), first = u * u * (4.8 * u * u * u - 8 * std::sqrt(u * u * u) + 2);
+  const double u = std::cbrt(4.0 / 9.0),
+               first = u * u * (4.8 * u * u * u - 8 * std::sqrt(u * u * u) + 2);
   const double w0 = std::sqrt(2 * (4.8 * 1024 - 8 * 128 + 2 * 16 - first));
   const CollisionInput elastic{{3, 1, 1.0 / 3, w0}, {gamma, 0.25, 0, Collision::unknown, 1, 0}};
   const Collision jkr = collide(krijt_collision, elastic, {.tolerance = 1e-11});

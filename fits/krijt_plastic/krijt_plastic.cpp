@@ -11,11 +11,15 @@ namespace {
 constexpr double none = Collision::unknown;
 
 constexpr std::array parameters{
-    parameter::gamma, parameter::nu, parameter::T_vis, parameter::T_crack, parameter::spacing,
+    parameter::gamma,
+    parameter::nu,
+    parameter::T_vis,
+    parameter::T_crack,
+    parameter::spacing,
     parameter::start,
     CollisionParameter{"v_Y", "yield velocity", dimension::velocity, 0, false, 1e300, none, "Y"},
-    CollisionParameter{"Y", "yield strength, p_y = 1.6 Y", dimension::pressure, 0, false, 1e300, none,
-                       "v_Y"}};
+    CollisionParameter{"Y", "yield strength, p_y = 1.6 Y", dimension::pressure, 0, false, 1e300,
+                       none, "v_Y"}};
 
 /// v_Y = (pi/(2E*))^2 sqrt(8 pi R*^3/(15 m*)) p_y^(5/2).
 Parameter yield_velocity(const LawInput& in, const Parameter& strength) {
@@ -55,8 +59,8 @@ Collision collide_krijt_plastic(const CollisionInput& input, const CollisionSett
 }  // namespace
 
 extern const CollisionLaw krijt_plastic_collision;
-const CollisionLaw krijt_plastic_collision{
-    "krijt-plastic", "krijt with the plastic loss of Thornton and Ning", parameters,
-    collide_krijt_plastic};
+const CollisionLaw krijt_plastic_collision{"krijt-plastic",
+                                           "krijt with the plastic loss of Thornton and Ning",
+                                           parameters, collide_krijt_plastic};
 
 }  // namespace mdana

@@ -17,19 +17,23 @@ Collision collide_power(const CollisionInput& input, const CollisionSettings& se
   const LawInput in(input);
   const Parameter &gamma = in.values[0], &d = in.values[1], &alpha = in.values[2],
                   &beta = in.values[3];
-  if (d.value == 0) return collide_viscous(in, {.gamma = gamma, .nu = 1, .T_vis = 0, .T_crack = {}, .stress = {}}, settings);
+  if (d.value == 0)
+    return collide_viscous(in, {.gamma = gamma, .nu = 1, .T_vis = 0, .T_crack = {}, .stress = {}},
+                           settings);
   const ContactScales scales = gamma.value > 0 ? jkr_scales(in, gamma) : hertz_scales(in);
   const Parameter scaled_d = exp(log(d) + log(in.modulus) + alpha * log(scales.speed()) +
                                  beta * log(scales.radius) - log(scales.force));
   CurveContact kind;
   kind.power = true;
-  return collide_on_curve(kind, {in.velocity / scales.speed(), scaled_d, alpha, beta}, scales, settings);
+  return collide_on_curve(kind, {in.velocity / scales.speed(), scaled_d, alpha, beta}, scales,
+                          settings);
 }
 
 }  // namespace
 
 extern const CollisionLaw power_collision;
-const CollisionLaw power_collision{"power", "JKR with a dissipation by powers of speed and contact radius",
+const CollisionLaw power_collision{"power",
+                                   "JKR with a dissipation by powers of speed and contact radius",
                                    parameters, collide_power};
 
 }  // namespace mdana

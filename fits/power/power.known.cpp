@@ -10,8 +10,8 @@ extern const CollisionLaw power_collision;
 std::vector<KnownAnswer> power_known();
 
 // Without adhesion F_dis = D v^2 a^3 grows with depth as the force 4/3 a^3 does: with y = v^2 and
-// x = delta^2.5, dy/dx = -0.8 (4/3 + D y) down and -0.8 (4/3 - D y) up, so 0.8 D x_max = ln(1 + 3D/4)
-// and e^2 = 1/(1 + 3D/4). Units R* = m* = E* = v = 1.
+// x = delta^2.5, dy/dx = -0.8 (4/3 + D y) down and -0.8 (4/3 - D y) up, so 0.8 D x_max = ln(1 +
+// 3D/4) and e^2 = 1/(1 + 3D/4). Units R* = m* = E* = v = 1.
 std::vector<KnownAnswer> power_known() {
   const auto collision = [](double D) {
     return collide(power_collision, {{1, 1, 1, 1}, {0, D, 2, 3}}, {.tolerance = 1e-11});

@@ -9,15 +9,16 @@ namespace {
 constexpr std::array parameters{
     parameter::gamma,
     parameter::nu,
-    CollisionParameter{"C", "T_vis at no pressure, over the radius", {0, -1, 1}, 0, true, 1e300, {}},
+    CollisionParameter{
+        "C", "T_vis at no pressure, over the radius", {0, -1, 1}, 0, true, 1e300, {}},
     CollisionParameter{"B", "of p_c/E* in T(p_c)", dimension::none, 0, true, 1e300, {}},
     CollisionParameter{"zeta", "power in T(p_c)", dimension::none, 0, false, 100, {}},
     parameter::T_crack,
     parameter::spacing,
     parameter::start};
 
-/// P1 eqs 17, 18: T_vis = C R exp[(B p_c/E*)^zeta]; R = 2R*, the radius of each of two equal spheres.
-/// T_crack, if given, is constant.
+/// P1 eqs 17, 18: T_vis = C R exp[(B p_c/E*)^zeta]; R = 2R*, the radius of each of two equal
+/// spheres. T_crack, if given, is constant.
 Collision collide_stress(const CollisionInput& input, const CollisionSettings& settings) {
   const LawInput in(input);
   const auto& v = in.values;
@@ -33,8 +34,8 @@ Collision collide_stress(const CollisionInput& input, const CollisionSettings& s
 }  // namespace
 
 extern const CollisionLaw stress_collision;
-const CollisionLaw stress_collision{
-    "stress", "krijt with a relaxation time that grows with the pressure", parameters,
-    collide_stress};
+const CollisionLaw stress_collision{"stress",
+                                    "krijt with a relaxation time that grows with the pressure",
+                                    parameters, collide_stress};
 
 }  // namespace mdana

@@ -10,8 +10,9 @@ extern const CollisionLaw stress_collision;
 std::vector<KnownAnswer> stress_known();
 
 // Without adhesion and with little damping lam exp(b u), b = 2B/pi, the loss is that of the elastic
-// motion. B = 0: 4 lam d_max^1.5 0.4 Beta(3/5, 3/2), T = C R = 2 C R*. With zeta = 1 the exponential
-// is summed, b^k/k! u^(k+3)/... : 4 lam sum_k b^k/k! u_max^(3+k) 0.4 Beta((3 + k)/5, 3/2).
+// motion. B = 0: 4 lam d_max^1.5 0.4 Beta(3/5, 3/2), T = C R = 2 C R*. With zeta = 1 the
+// exponential is summed, b^k/k! u^(k+3)/... : 4 lam sum_k b^k/k! u_max^(3+k) 0.4 Beta((3 + k)/5,
+// 3/2).
 std::vector<KnownAnswer> stress_known() {
   const double nu = 0.25, C = 1e-8, lam = 4 * C / (nu * nu), none = Collision::unknown;
   const double pi = 3.141592653589793, B = 1, b = 2 / pi * B;

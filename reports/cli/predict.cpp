@@ -51,7 +51,8 @@ std::vector<double> velocities_of(const std::string& text) {
   const double high = number(view.substr(first + 1, second - first - 1), text);
   const double count = number(view.substr(second + 1), text);
   if (!(count >= 2 && count <= 1e6 && count == std::floor(count)) || !(low > 0 && high > low))
-    throw UsageError(fmt::format("-p v={}: 0 < FIRST < LAST and a COUNT of 2 to 1000000 are needed", text));
+    throw UsageError(
+        fmt::format("-p v={}: 0 < FIRST < LAST and a COUNT of 2 to 1000000 are needed", text));
   std::vector<double> all;
   for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * (k / (count - 1)));
   all.back() = high;
@@ -94,8 +95,9 @@ Wanted wanted_of(const Values& values) {
     if (w.sweep) g.text = fmt::format("{}", w.velocities.front());
   }
   if (searching(values) && velocity && !w.sweep)
-    throw UsageError("--sticking-velocity and --peak look at several velocities: v=FIRST:LAST:COUNT, "
-                     "or none");
+    throw UsageError(
+        "--sticking-velocity and --peak look at several velocities: v=FIRST:LAST:COUNT, "
+        "or none");
   if (searching(values) && !velocity) w.given.push_back({"v", "1"});
   if (w.settings.trajectory && (w.sweep || searching(values)))
     throw UsageError("--trajectory is of one collision, not of several velocities");
@@ -115,17 +117,20 @@ void add_law(Document& document, const Wanted& wanted) {
   document.line("parameters", text);
   for (const CollisionParameter& p : wanted.law->parameters)
     if (p.dimension == dimension::length && p.fallback && *p.fallback == *p.fallback &&
-        std::none_of(wanted.given.begin(), wanted.given.end(), [&](auto& g) { return g.name == p.name; }))
-      document.warn(fmt::format("{} is not given: {} in the length unit of R, right for units lj only",
-                                p.name, *p.fallback));
+        std::none_of(wanted.given.begin(), wanted.given.end(),
+                     [&](auto& g) { return g.name == p.name; }))
+      document.warn(
+          fmt::format("{} is not given: {} in the length unit of R, right for units lj only",
+                      p.name, *p.fallback));
 }
 
-void add_sensitivities(Document& document, const CollisionLaw& law, const CollisionSensitivities& s) {
+void add_sensitivities(Document& document, const CollisionLaw& law,
+                       const CollisionSensitivities& s) {
   std::vector<std::string> names{"R_star", "m_star", "E", "v"};
   for (const CollisionParameter& p : law.parameters) names.emplace_back(p.name);
   nlohmann::ordered_json json;
-  for (const auto& [what, by] : {std::pair{"e_squared", &s.e_squared}, {"delta_max", &s.delta_max},
-                                 {"t_max", &s.t_max}})
+  for (const auto& [what, by] :
+       {std::pair{"e_squared", &s.e_squared}, {"delta_max", &s.delta_max}, {"t_max", &s.t_max}})
     for (std::size_t k = 0; k < names.size(); ++k)
       json[what][names[k]] = (*by)[static_cast<Eigen::Index>(k)];
   document.json("sensitivities", std::move(json));
@@ -149,8 +154,8 @@ int one_collision(const Values& values, const Wanted& wanted, const CollisionInp
   add_lines(document, c);
   if (c.sensitivities) add_sensitivities(document, *wanted.law, *c.sensitivities);
   const double velocity = input.impact.velocity;
-  const Table table = wanted.settings.trajectory ? trajectory_table(c)
-                                                 : collision_table({&velocity, 1}, {&c, 1});
+  const Table table =
+      wanted.settings.trajectory ? trajectory_table(c) : collision_table({&velocity, 1}, {&c, 1});
   if (wanted.settings.trajectory) document.json("trajectory", trajectory_json(table));
   const int code = emit(values, document, &table);
   return c.outcome == CollisionOutcome::unresolved ? not_converged : code;
@@ -170,9 +175,9 @@ int sweep_velocities(const Values& values, const Wanted& wanted, CollisionInput 
     json.update(to_json(c));
     results.push_back(std::move(json));
     resolved = resolved && c.outcome != CollisionOutcome::unresolved;
-    document.line(fmt::format("v = {:.6g}", v),
-                  c.e > 0 ? fmt::format("e {:.10g} ± {:.1g}", c.e, c.e_error)
-                          : std::string(name(c.outcome)));
+    document.line(
+        fmt::format("v = {:.6g}", v),
+        c.e > 0 ? fmt::format("e {:.10g} ± {:.1g}", c.e, c.e_error) : std::string(name(c.outcome)));
   }
   document.json("results", std::move(results));
   const Table table = collision_table(wanted.velocities, collisions);
@@ -200,20 +205,23 @@ int search(const Values& values, const Wanted& wanted, const CollisionInput& inp
 }
 
 void add_options(Options& options) {
-  options.add_options()                                                                          //
-      ("law", po::value<std::string>()->required()->value_name("NAME"), "the law, see above")    //
-      ("parameter,p", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
-       "a parameter, in any consistent units; v=FIRST:LAST:COUNT sweeps velocities, ends included")  //
-      ("trajectory", po::bool_switch(), "t, delta, v, a and F of the collision")                 //
+  options.add_options()                                                                        //
+      ("law", po::value<std::string>()->required()->value_name("NAME"), "the law, see above")  //
+      (
+          "parameter,p",
+          po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
+          "a parameter, in any consistent units; v=FIRST:LAST:COUNT sweeps velocities, ends "
+          "included")                                                             //
+      ("trajectory", po::bool_switch(), "t, delta, v, a and F of the collision")  //
       ("sensitivities", po::bool_switch(),
-       "derivatives of e^2, delta_max and t_max by the parameters (JSON)")                       //
-      ("sticking-velocity", po::bool_switch(), "the velocity above which the spheres bounce")    //
-      ("peak", po::bool_switch(), "the velocity at which e is greatest")                         //
+       "derivatives of e^2, delta_max and t_max by the parameters (JSON)")                     //
+      ("sticking-velocity", po::bool_switch(), "the velocity above which the spheres bounce")  //
+      ("peak", po::bool_switch(), "the velocity at which e is greatest")                       //
       ("tolerance", po::value<double>()->default_value(1e-8, "1e-8")->value_name("E"),
-       "wanted error of e")                                                                      //
+       "wanted error of e")  //
       ("time-limit", po::value<double>()->default_value(2)->value_name("SECONDS"),
-       "of one collision; beyond it the outcome is unresolved")                                  //
-      ("json", po::bool_switch(), "print one JSON document on the standard output")              //
+       "of one collision; beyond it the outcome is unresolved")                      //
+      ("json", po::bool_switch(), "print one JSON document on the standard output")  //
       ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
 }
 
@@ -230,9 +238,12 @@ int run_command(const Values& values) {
 
 /// The laws with their parameters, from the laws' own tables.
 std::string describe_laws() {
-  std::string text = "Predicts the collision of two spheres by a contact law: outcome, coefficient of restitution,\n"
-                     "greatest compression, times, contact radius, pressure, each by integration to a stated error.\n"
-                     "R and m are those of each of two equal spheres, E is the reduced modulus E*.\n\nall laws:\n";
+  std::string text =
+      "Predicts the collision of two spheres by a contact law: outcome, coefficient of "
+      "restitution,\n"
+      "greatest compression, times, contact radius, pressure, each by integration to a stated "
+      "error.\n"
+      "R and m are those of each of two equal spheres, E is the reduced modulus E*.\n\nall laws:\n";
   for (const CollisionParameter& p : impact_parameters())
     text += fmt::format("  {:<15}{}\n", p.name, p.meaning);
   for (const CollisionLaw* law : collision_laws()) {
@@ -254,10 +265,14 @@ const Command predict_command{
     "",
     "a collision by a contact law: e, contact time, greatest compression",
     description,
-    "  mdana predict --law krijt -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p nu=0.25 -p T_vis=0.075 -p v=0.1\n"
-    "  mdana predict --law jkr -p R1=1e-7 -p R2=inf -p m1=4.2e-18 -p m2=inf -p E=3.7e9 -p gamma=0.1 -p v=5 --trajectory -o t.csv\n"
-    "  mdana predict --law stress -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p nu=0.25 -p C=2.1e-4 -p B=6.2 -p zeta=4 -p v=0.04:0.5:24\n"
-    "  mdana predict --law power -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p D=118 -p alpha=3 -p beta=1.5 --sticking-velocity --peak",
+    "  mdana predict --law krijt -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p nu=0.25 -p "
+    "T_vis=0.075 -p v=0.1\n"
+    "  mdana predict --law jkr -p R1=1e-7 -p R2=inf -p m1=4.2e-18 -p m2=inf -p E=3.7e9 -p "
+    "gamma=0.1 -p v=5 --trajectory -o t.csv\n"
+    "  mdana predict --law stress -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p nu=0.25 -p "
+    "C=2.1e-4 -p B=6.2 -p zeta=4 -p v=0.04:0.5:24\n"
+    "  mdana predict --law power -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p D=118 -p "
+    "alpha=3 -p beta=1.5 --sticking-velocity --peak",
     add_options,
     run_command};
 

@@ -64,14 +64,16 @@ int run_command(const Values& values) {
   for (const LawCase& c : cases) {
     lost += c.kept() ? 0 : 1;
     results.push_back(to_json(c));
-    document.line(std::string(c.law),
-                  fmt::format("{:<52} {:4.1f} of {:4.1f} digits {:>9} evaluations in {:.5f} s{}", c.what,
-                              c.digits, c.needed, c.evaluations, c.seconds, c.kept() ? "" : "  LOST"));
+    document.line(
+        std::string(c.law),
+        fmt::format("{:<52} {:4.1f} of {:4.1f} digits {:>9} evaluations in {:.5f} s{}", c.what,
+                    c.digits, c.needed, c.evaluations, c.seconds, c.kept() ? "" : "  LOST"));
   }
   document.json("cases", cases.size());
   document.json("lost", lost);
   document.json("results", std::move(results));
-  document.line("cases", fmt::format("{}, {} with fewer digits than they should keep", cases.size(), lost));
+  document.line("cases",
+                fmt::format("{}, {} with fewer digits than they should keep", cases.size(), lost));
   const Table table = law_table(cases);
   const int code = emit(values, document, &table);
   return lost > 0 ? failed : code;
@@ -84,8 +86,10 @@ const Command stability_command{
     "stability",
     "laws",
     "extreme cases of the contact laws against what is known of them",
-    "Computes collisions that are stiff or extreme (no dissipation, much of it, no adhesion, any units,\n"
-    "radii from 1 to 1e9, at the limit of sticking ...) and of which something is known by analysis:\n"
+    "Computes collisions that are stiff or extreme (no dissipation, much of it, no adhesion, any "
+    "units,\n"
+    "radii from 1 to 1e9, at the limit of sticking ...) and of which something is known by "
+    "analysis:\n"
     "digits kept, evaluations and seconds of each. Fails if one keeps fewer digits than it should.",
     "  mdana stability laws\n"
     "  mdana stability laws --json -o laws.csv",

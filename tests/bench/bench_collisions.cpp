@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collisions by law and tolerance, with the check of the error, on one core. tests/bench/collisions.py sets errors
-// and times beside those of SciPy's integrators.
+// Collisions by law and tolerance, with the check of the error, on one core.
+// tests/bench/collisions.py sets errors and times beside those of SciPy's integrators.
 #include <cmath>
 
 #include <benchmark/benchmark.h>
@@ -22,7 +22,8 @@ const std::vector<Example>& examples() {
       {"viscous-hertz", {{"nu", "0.25"}, {"T_vis", "0.075"}}},
       {"power", {{"gamma", "3.17"}, {"D", "118"}, {"alpha", "3"}, {"beta", "1.5"}}},
       {"krijt", {{"gamma", "3.17"}, {"nu", "0.25"}, {"T_vis", "0.075"}}},
-      {"stress", {{"gamma", "3.17"}, {"nu", "0.25"}, {"C", "2.1e-4"}, {"B", "6.2"}, {"zeta", "4"}}}};
+      {"stress",
+       {{"gamma", "3.17"}, {"nu", "0.25"}, {"C", "2.1e-4"}, {"B", "6.2"}, {"zeta", "4"}}}};
   return all;
 }
 
@@ -30,7 +31,8 @@ void collision(benchmark::State& state, const Example& example, bool sensitiviti
   const CollisionLaw* law = find_collision_law(example.law);
   if (!law) return state.SkipWithError("not in this build");
   std::vector<NamedValue> given = example.parameters;
-  for (const auto& [name, value] : {std::pair{"R", "147"}, {"m", "14434147"}, {"E", "65.5"}, {"v", "0.1"}})
+  for (const auto& [name, value] :
+       {std::pair{"R", "147"}, {"m", "14434147"}, {"E", "65.5"}, {"v", "0.1"}})
     given.push_back({name, value});
   const CollisionInput input = collision_input(*law, given);
   CollisionSettings settings;
@@ -45,10 +47,11 @@ void collision(benchmark::State& state, const Example& example, bool sensitiviti
 const bool registered = [] {
   for (const Example& example : examples())
     for (const bool sensitivities : {false, true})
-      benchmark::RegisterBenchmark((std::string(example.law) + (sensitivities ? "_sensitivities" : "")).c_str(),
-                                   [&example, sensitivities](benchmark::State& state) {
-                                     collision(state, example, sensitivities);
-                                   })
+      benchmark::RegisterBenchmark(
+          (std::string(example.law) + (sensitivities ? "_sensitivities" : "")).c_str(),
+          [&example, sensitivities](benchmark::State& state) {
+            collision(state, example, sensitivities);
+          })
           ->DenseRange(4, 12, 2);
   return true;
 }();

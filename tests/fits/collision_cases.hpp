@@ -19,7 +19,8 @@ inline const CollisionLaw& law_of(std::string_view name) {
   return *law;
 }
 
-/// The sphere of P1's Table II with R = 147 at v = 0.1, with changes; an empty value leaves one out.
+/// The sphere of P1's Table II with R = 147 at v = 0.1, with changes; an empty value leaves one
+/// out.
 inline CollisionInput sphere(std::string_view law, const Values& changes) {
   Values all{{"R", "147"}, {"m", "14434147"}, {"E", "65.5"}, {"v", "0.1"}};
   for (const auto& [name, value] : changes) all[name] = value;

@@ -17,10 +17,23 @@ struct Bad {
 };
 
 TEST(CollisionParameters, BadOnesAreNamed) {
-  for (const auto& [name, value] :
-       {Bad{"T_vis", "-1"}, {"nu", "0"}, {"nu", "nan"}, {"nu", "0.6"}, {"gamma", "-1e-300"}, {"E", "0"},
-        {"E", "inf"}, {"R", "-147"}, {"m", "x"}, {"v", "0"}, {"v", "1e400"}, {"start", "max"}, {"spacing", "0"},
-        {"gamma", ""}, {"v", ""}, {"Q", "1"}, {"nu", "0.25x"}}) {
+  for (const auto& [name, value] : {Bad{"T_vis", "-1"},
+                                    {"nu", "0"},
+                                    {"nu", "nan"},
+                                    {"nu", "0.6"},
+                                    {"gamma", "-1e-300"},
+                                    {"E", "0"},
+                                    {"E", "inf"},
+                                    {"R", "-147"},
+                                    {"m", "x"},
+                                    {"v", "0"},
+                                    {"v", "1e400"},
+                                    {"start", "max"},
+                                    {"spacing", "0"},
+                                    {"gamma", ""},
+                                    {"v", ""},
+                                    {"Q", "1"},
+                                    {"nu", "0.25x"}}) {
     test::Values p = parameters_of("krijt");
     p[name] = value;
     try {
@@ -51,7 +64,8 @@ TEST(CollisionParameters, GeometryHasOneMeaning) {
   EXPECT_EQ(with({}).radius, 73.5);
   EXPECT_EQ(with({{"R", ""}, {"R1", "147"}, {"R2", "inf"}}).radius, 147);
   EXPECT_EQ(with({{"m", ""}, {"m1", "3"}, {"m2", "6"}}).mass, 2);
-  EXPECT_NEAR(with({{"m", ""}, {"rho", "1"}}).mass, 16 * 3.141592653589793 / 3 * 73.5 * 73.5 * 73.5, 1e-6);
+  EXPECT_NEAR(with({{"m", ""}, {"rho", "1"}}).mass, 16 * 3.141592653589793 / 3 * 73.5 * 73.5 * 73.5,
+              1e-6);
   EXPECT_THROW(with({{"R1", "147"}}), InputError);
   EXPECT_THROW(with({{"R", ""}, {"R1", "147"}}), InputError);
   EXPECT_THROW(with({{"R", ""}, {"R1", "inf"}, {"R2", "inf"}}), InputError);
