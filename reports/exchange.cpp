@@ -140,6 +140,8 @@ void add_exchange(Document& document, const SeparatedRun& s) {
   const std::string what = "exchanged atoms";
   if (s.curve.outcome != Outcome::bounce)
     return document.left_out(what, "the bodies do not separate");
+  if (s.run.first.atoms > most_atoms_clustered && !s.asked)
+    return document.left_out(what, "many atoms: ask for them by --final-clusters");
   if (!s.restitution.reason.empty()) return document.left_out(what, s.restitution.reason);
   const Exchange found =
       find_exchange(s.run, frame_of(s.sweeping.choice, s.measured.motion.steps.size() - 1));

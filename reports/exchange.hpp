@@ -43,15 +43,15 @@ struct SeparatedRun {
   const EnergyCurve& energy;  ///< by first-frame membership
   EnergyWindow after;
   SweepOptions sweeping;
+  bool asked = false;  ///< for exchanged atoms, however many atoms there are
 };
 
 SeparatedEnergies by_first_frame(const SeparatedRun& separated);
 /// Reads the frames after separation again.
 SeparatedEnergies by_final_clusters(const SeparatedRun& separated, const Bodies& bodies);
 
-/// Atoms in a frame beyond which `mdana energy` does not look for exchanged ones unasked, so that its
-/// memory has a bound.
-inline constexpr std::uint64_t most_atoms_clustered = 1'000'000;
+/// Atoms in a frame beyond which exchanged ones are not looked for unasked: memory has a bound.
+inline constexpr std::uint64_t most_atoms_clustered = 250'000;
 
 /// `exchanged`, and energies by both memberships; or why they are left out.
 void add_exchange(Document& document, const SeparatedRun& separated);

@@ -43,15 +43,15 @@ class Collision {
   }
 
   /// Into the document and the table.
-  void tell(Document& document, Table& table, const Material& material,
-            const SweepOptions& sweeping) const {
+  void tell(Document& document, Table& table, const Material& material, const SweepOptions& sweeping,
+            bool final_clusters) const {
     table = all_columns();
     document.sweep(measured_.swept, run_.format);
     add_force(document, curve_, source_, radii_);
     add_restitution(document, restitution_);
     add_overlays(document, table, curve_, elastic(material));
     tell_plasticity(document, material);
-    if (energy_) tell_energy(document, sweeping);
+    if (energy_) tell_energy(document, sweeping, final_clusters);
     if (setup_) tell_contact(document);
     add_lost_atoms(document, measured_.motion);
     warn_of_force(document, curve_);
@@ -76,12 +76,12 @@ class Collision {
     return {reduced, material.modulus.value_or(0), material.surface_energy.value_or(0)};
   }
 
-  void tell_energy(Document& document, const SweepOptions& sweeping) const {
+  void tell_energy(Document& document, const SweepOptions& sweeping, bool final_clusters) const {
     add_energy(document, *energy_);
     add_rotation(document, energy_->curve, curve_);
     if (const auto windows = energy_windows(curve_))
       add_exchange(document, {run_, measured_, curve_, restitution_, energy_->curve, windows->after,
-                              sweeping});
+                              sweeping, final_clusters});
     else
       document.left_out("exchanged atoms", "no frame before contact, or no turn");
   }
@@ -172,7 +172,8 @@ Told analyse(const Values& values, const Wishes& wishes) {
   Told told{Document("collision", run), {}, {}};
   Collision collision(run, wishes.run, wishes.potential);
   collision.measure(wishes.contact, wishes.sweeping, told.document);
-  collision.tell(told.document, told.table, material_options(values, run.scene), wishes.sweeping);
+  collision.tell(told.document, told.table, material_options(values, run.scene), wishes.sweeping,
+                 values["final-clusters"].as<bool>());
   told.outcome = collision.outcome();
   return told;
 }
@@ -240,6 +241,7 @@ void add_options(Options& options) {
   add_contact_options(options);
   add_material_options(options);
   add_potential_options(options);
+  add_membership_options(options);
   add_output_options(options, true);
 }
 

@@ -6,8 +6,6 @@
 namespace mdana::cli {
 namespace {
 
-namespace po = boost::program_options;
-
 struct Measured {
   const Run& run;
   const Radii& radii;
@@ -16,22 +14,18 @@ struct Measured {
   const SweepOptions& sweeping;
 };
 
-/// Energies by the final clusters besides; of many atoms only if asked for.
-void tell_exchange(Document& document, const Measured& m, bool asked) {
+/// Energies by the final clusters besides.
+void tell_exchange(Document& document, const Measured& m, bool wanted) {
   if (!m.energy.budget) return;
-  if (m.run.first.atoms > most_atoms_clustered && !asked)
-    return document.left_out("exchanged atoms", "many atoms: ask for them by --final-clusters");
   const ForceCurve curve = force_curve(m.motion.motion, best_force_source(m.run), m.run.units,
                                        m.radii.sum());
   add_exchange(document, {m.run, m.motion, curve, restitution(m.motion.motion, curve), m.energy.curve,
-                          m.energy.budget->windows.after, m.sweeping});
+                          m.energy.budget->windows.after, m.sweeping, wanted});
 }
 
 void add_options(Options& options) {
   add_run_options(options);
-  options.add_options()("final-clusters", po::bool_switch(),
-                        "look for atoms that went over to the other body also among more than a "
-                        "million (100 bytes each)");
+  add_membership_options(options);
   add_potential_options(options);
   add_output_options(options, true);
 }
