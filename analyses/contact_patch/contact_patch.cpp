@@ -102,9 +102,13 @@ class ContactPatchPartial final : public Partial {
                       settings_.spacing);
   }
 
-  /// Gap of the surfaces up to which atoms are neighbours: the cutoff less the least distance of facing
-  /// planes, that of (100) in fcc.
-  double gap() const { return settings_.cutoff - settings_.spacing / std::numbers::sqrt2; }
+  /// Gap of the surfaces up to which atoms are neighbours: from planes whose nearest atoms are d apart,
+  /// which are in contact, to those where they are as far as the cutoff; 5/36 d^2 is the mean square by
+  /// which the nearest atom is not opposite.
+  double gap() const {
+    const double d = settings_.spacing, c = settings_.cutoff, aside = 5.0 / 36 * d * d;
+    return std::sqrt(std::max(0.0, c * c - aside)) - std::sqrt(d * d - aside);
+  }
 
   double reduced_radius() const {
     const auto [a, b] = settings_.radius;
