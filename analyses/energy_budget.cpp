@@ -23,6 +23,19 @@ std::vector<double> known_values(const std::vector<double>& values, EnergyWindow
   return known;
 }
 
+/// Change of the values from the only frame of a window to the nearest beside it that are known.
+std::optional<double> change_beside(const std::vector<double>& values, EnergyWindow window) {
+  std::optional<double> change;
+  const auto compare = [&](std::size_t i, std::size_t j) {
+    const double step = std::abs(values[i] - values[j]);
+    if (!std::isnan(step)) change = std::max(change.value_or(0), step);
+  };
+  if (window.frames() != 1 || window.last > values.size()) return change;
+  if (window.first > 0) compare(window.first, window.first - 1);
+  if (window.last < values.size()) compare(window.first, window.last);
+  return change;
+}
+
 std::optional<double> together(const std::optional<double>& a, const std::optional<double>& b) {
   if (!a || !b) return std::nullopt;
   return std::hypot(*a, *b);
@@ -54,12 +67,36 @@ Value restitution(const ForceCurve& curve, const EnergyWindows& windows) {
                size(window_mean(curve.speed, windows.before, dimension::velocity)));
 }
 
+/// Frames at which delta turns, of both kinds, from the first turn on.
+std::vector<std::size_t> turns(const ForceCurve& curve) {
+  std::vector<std::size_t> all;
+  const std::size_t end = curve.phase.size() - 1;
+  for (const Cycle& cycle : curve.cycles) {
+    all.push_back(cycle.turn);
+    if (cycle.end < end) all.push_back(cycle.end);
+  }
+  return all;
+}
+
+/// The last whole periods of a bound pair, from a turn to the last one of its kind: as few of them as
+/// hold the frames wanted. Nothing if there is no whole one, or if the ringing has died away since.
+std::optional<EnergyWindow> last_periods(const ForceCurve& curve, std::size_t wanted) {
+  const std::vector<std::size_t> all = turns(curve);
+  if (all.size() < 3) return std::nullopt;
+  const std::size_t last = all.back();
+  std::size_t k = all.size() - 3;
+  if (curve.phase.size() - 1 - last > std::max(wanted, last - all[k])) return std::nullopt;
+  while (k >= 2 && last - all[k] < wanted) k -= 2;
+  return EnergyWindow{all[k], last};
+}
+
 EnergyWindow window_after(const ForceCurve& curve) {
   const std::size_t frames = curve.phase.size();
   const auto separated = static_cast<std::size_t>(
       std::count(curve.phase.begin(), curve.phase.end(), Phase::separated));
   if (separated > 0) return {frames - (separated + 1) / 2, frames};
   const std::size_t wanted = std::max(frames / 10, least_frames_after);
+  if (const auto periods = last_periods(curve, wanted)) return *periods;
   return {std::max(curve.cycles.front().turn, frames - std::min(wanted, frames)), frames};
 }
 
@@ -78,6 +115,12 @@ Value widened(Value value, double rounding, double drift) {
   return value;
 }
 
+/// K_p that is still there where the bodies stick: it goes over when the ringing has died away.
+Value ringing(const EnergyCurve& energy, const ForceCurve& curve, const EnergyWindows& windows) {
+  if (curve.outcome == Outcome::bounce) return {0, {}, dimension::energy};
+  return window_mean(energy.K_p_rel, windows.after, dimension::energy);
+}
+
 }  // namespace
 
 Value window_mean(const std::vector<double>& values, EnergyWindow window, Dimension dimension) {
@@ -86,7 +129,10 @@ Value window_mean(const std::vector<double>& values, EnergyWindow window, Dimens
   if (n == 0) return {nan, {}, dimension};
   const double *first = known.data(), *last = first + n;
   Value result{mean(first, last), {}, dimension};
-  if (n < 2) return result;
+  if (n < 2) {
+    result.error = change_beside(values, window);
+    return result;
+  }
   double squares = 0;
   for (const double value : known) squares += (value - result.value) * (value - result.value);
   const double scatter = std::sqrt(squares / static_cast<double>(n - 1) / static_cast<double>(n));
@@ -121,8 +167,11 @@ EnergyBudget energy_budget(const EnergyCurve& energy, const ForceCurve& curve,
   budget.energy_drift = ratio(drift, budget.K_p_initial);
   budget.K_t_share = ratio(budget.delta_K_t, size(budget.delta_K_p));
   budget.W_share = ratio(budget.delta_W, size(budget.delta_K_p));
+  const Value rest = ringing(energy, curve, windows);
+  budget.ringing = ratio(rest, budget.K_p_initial);
   budget.converted = ratio(
-      widened(change(internal(energy)), energy.W_rounding, drift.value), budget.K_p_initial);
+      widened(change(internal(energy)), energy.W_rounding, std::abs(drift.value) + rest.value),
+      budget.K_p_initial);
   budget.across = ratio(change(energy.K_p_across), budget.K_p_initial);
   budget.restitution = restitution(curve, windows);
   const Value& e = budget.restitution;

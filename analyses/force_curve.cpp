@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analyses/force_series.hpp"
+#include "analyses/loop_loss.hpp"
 #include "analyses/turning_points.hpp"
 
 namespace mdana {
@@ -103,65 +104,45 @@ std::vector<Phase> find_phases(const ForceCurve& curve, Span contact) {
   return phase;
 }
 
-/// Integral of F d delta along the frames [first, last], those with delta < low left out and the
-/// steps across low shared in proportion (trapezoidal rule).
-double work_above(const ForceCurve& curve, std::size_t first, std::size_t last, double low) {
-  double work = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    double d0 = curve.delta[i], d1 = curve.delta[i + 1];
-    double f0 = curve.force[i], f1 = curve.force[i + 1];
-    if (d0 < low && d1 < low) continue;
-    if (d0 < low) f0 += (f1 - f0) * ((low - d0) / (d1 - d0)), d0 = low;
-    if (d1 < low) f1 += (f0 - f1) * ((low - d1) / (d0 - d1)), d1 = low;
-    work += 0.5 * (f0 + f1) * (d1 - d0);
+/// Loop areas and kinetic losses of all cycles, and of the first one by itself. Those of a coarser series
+/// begin and end at the same delta as those of `fine`.
+void find_losses(const RelativeMotion& motion, Units units, ForceCurve& curve,
+                 const ForceCurve* fine) {
+  const auto energy = [](double value) { return Value{value, {}, dimension::energy}; };
+  const PathEnergies path(motion, units, curve);
+  const auto add = [&](const LoopLoss& loss, double low) {
+    Loop loop{energy(loss.area), energy(loss.kinetic), low, loss.area_by_time};
+    loop.area.error = loss.area_error;
+    return loop;
+  };
+  for (std::size_t k = 0; k < curve.cycles.size(); ++k) {
+    const Cycle& cycle = curve.cycles[k];
+    const double low = fine && k < fine->loops.size()
+                           ? fine->loops[k].low
+                           : std::max(curve.delta[cycle.start], curve.delta[cycle.end]);
+    const LoopLoss loss = path.of(cycle, low);
+    curve.loops.push_back(add(loss, low));
+    if (k == 0) curve.kinetic_loss_total = energy(loss.kinetic_total);
   }
-  return work;
+  curve.hysteresis_area = curve.loops[0].area;
+  curve.kinetic_loss = curve.loops[0].kinetic_loss;
+  const LoopLoss all = path.between(curve.cycles.front().start, curve.cycles.back().end);
+  curve.all_loops = add(all, std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Squared speed where delta passes `low` between two frames that lie on different sides of it.
-double square_at(const ForceCurve& curve, const std::vector<double>& squares, std::size_t before,
-                 double low) {
-  const double d0 = curve.delta[before], d1 = curve.delta[before + 1];
-  const double part = d1 == d0 ? 0 : (low - d0) / (d1 - d0);
-  return squares[before] + part * (squares[before + 1] - squares[before]);
-}
-
-/// Kinetic energy of the relative motion lost between the passages of `low` in a cycle.
-double kinetic_loss(const ForceCurve& curve, const std::vector<double>& squares, const Cycle& cycle,
-                    double low, double energy_of_square) {
-  std::size_t up = cycle.turn, down = cycle.turn;
-  while (up > cycle.start && curve.delta[up] > low) --up;
-  while (down < cycle.end && curve.delta[down] > low) ++down;
-  if (down == cycle.turn || up == cycle.turn) return std::numeric_limits<double>::quiet_NaN();
-  return energy_of_square *
-         (square_at(curve, squares, up, low) - square_at(curve, squares, down - 1, low));
-}
-
-/// Loop area and kinetic loss of the first cycle.
-void find_losses(const RelativeMotion& motion, Units units, ForceCurve& curve) {
-  const Cycle& c = curve.cycles[0];
-  const double low = std::max(curve.delta[c.start], curve.delta[c.end]);
-  curve.hysteresis_area.value = work_above(curve, c.start, c.end, low);
-  const std::vector<double> squares = squared_speed(motion);
-  if (squares.empty()) return;
-  const double energy = 0.5 * motion.reduced_mass * force_per_mass_acceleration(units);
-  curve.kinetic_loss.value = kinetic_loss(curve, squares, c, low, energy);
-}
-
-/// Standard deviation of the loop area by the noise of single forces (trapezoidal rule).
-double area_noise(const ForceCurve& curve, double noise) {
-  const Cycle& c = curve.cycles[0];
+/// Standard deviation of the integral of F d delta by the noise of single forces (trapezoidal rule).
+double area_noise(const ForceCurve& curve, std::size_t first, std::size_t last, double noise) {
   double squares = 0;
-  for (std::size_t i = c.start; i <= c.end; ++i) {
-    const double before = i > c.start ? curve.delta[i] - curve.delta[i - 1] : 0;
-    const double behind = i < c.end ? curve.delta[i + 1] - curve.delta[i] : 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double before = i > first ? curve.delta[i] - curve.delta[i - 1] : 0;
+    const double behind = i < last ? curve.delta[i + 1] - curve.delta[i] : 0;
     squares += 0.25 * (before + behind) * (before + behind);
   }
   return noise * std::sqrt(squares);
 }
 
 ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units,
-                   double radius_sum, int window) {
+                   double radius_sum, int window, const ForceCurve* fine = nullptr) {
   ForceCurve curve;
   curve.window = window;
   curve.distance = motion.distance();
@@ -174,7 +155,8 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   curve.force_max = {largest(curve.force), {}, dimension::force};
   curve.force_min_loading.dimension = dimension::force;
   curve.hysteresis_area = {std::numeric_limits<double>::quiet_NaN(), {}, dimension::energy};
-  curve.kinetic_loss = curve.hysteresis_area;
+  curve.kinetic_loss = curve.kinetic_loss_total = curve.hysteresis_area;
+  curve.all_loops = {curve.hysteresis_area, curve.hysteresis_area};
   if (!curve.contact) return curve;
 
   const Span contact = contact_span(curve.force);
@@ -184,7 +166,7 @@ ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units
   const std::size_t turn = curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn;
   curve.force_min_loading.value =
       *std::min_element(curve.force.begin(), curve.force.begin() + static_cast<long>(turn) + 1);
-  if (!curve.cycles.empty()) find_losses(motion, units, curve);
+  if (!curve.cycles.empty()) find_losses(motion, units, curve, fine);
   return curve;
 }
 
@@ -209,15 +191,60 @@ void add(Value& value, double noise) {
   if (value.error) value.error = std::hypot(*value.error, noise);
 }
 
+/// Of the difference of two kinetic energies.
+double kinetic_noise(const RelativeMotion& motion, Units units, const ForceCurve& curve) {
+  if (curve.speed.empty()) return 0;
+  const double fastest = std::max(largest(curve.speed), -*std::ranges::min_element(curve.speed));
+  return std::sqrt(2.0) * motion.reduced_mass * force_per_mass_acceleration(units) * fastest *
+         noise_of(curve.speed);
+}
+
 void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
   add(curve.force_max, noise);
   add(curve.force_min_loading, noise);
   if (curve.cycles.empty()) return;
-  add(curve.hysteresis_area, area_noise(curve, noise));
-  if (curve.speed.empty()) return;
-  const double fastest = std::max(largest(curve.speed), -*std::ranges::min_element(curve.speed));
-  add(curve.kinetic_loss, std::sqrt(2.0) * motion.reduced_mass * force_per_mass_acceleration(units) *
-                              fastest * noise_of(curve.speed));
+  const double kinetic = kinetic_noise(motion, units, curve);
+  const auto add_to = [&](Loop& loop, std::size_t first, std::size_t last) {
+    const bool seen = curve.window == 0 && !std::isnan(loop.area_by_time);  // by PathEnergies::sampling
+    if (!seen) add(loop.area, area_noise(curve, first, last, noise));
+    add(loop.kinetic_loss, kinetic);
+  };
+  for (std::size_t k = 0; k < curve.loops.size(); ++k)
+    add_to(curve.loops[k], curve.cycles[k].start, curve.cycles[k].end);
+  add_to(curve.all_loops, curve.cycles.front().start, curve.cycles.back().end);
+  add(curve.kinetic_loss_total, kinetic);
+}
+
+/// Whether a cycle in every second frame from `first` on turns and ends where one in all frames does, up
+/// to a frame of the coarse series.
+bool same_cycle(const Cycle& fine, const Cycle& coarse, std::size_t first) {
+  const auto near = [&](std::size_t i, std::size_t half) {
+    const std::size_t j = 2 * half + first;
+    return (i > j ? i - j : j - i) <= 2;
+  };
+  return near(fine.start, coarse.start) && near(fine.turn, coarse.turn) && near(fine.end, coarse.end);
+}
+
+/// The area by time hardly depends on sampling that resolves the force, trapezoids over delta do.
+void widen(Loop& loop, const Loop& coarse) {
+  if (std::isnan(loop.area_by_time) || std::isnan(coarse.area_by_time))
+    widen(loop.area, coarse.area);
+  else
+    widen(loop.area, loop.area_by_time - coarse.area_by_time);
+  widen(loop.kinetic_loss, coarse.kinetic_loss);
+}
+
+/// Losses by every second frame from `first` on, as far as they show the same cycles.
+void widen_losses(const ForceCurve& coarse, std::size_t first, ForceCurve& curve) {
+  std::size_t same = 0;
+  while (same < std::min(curve.cycles.size(), coarse.cycles.size()) &&
+         same_cycle(curve.cycles[same], coarse.cycles[same], first)) {
+    widen(curve.loops[same], coarse.loops[same]);
+    ++same;
+  }
+  if (same > 0) widen(curve.kinetic_loss_total, coarse.kinetic_loss_total);
+  if (same > 0 && same == curve.cycles.size() && same == coarse.cycles.size())
+    widen(curve.all_loops, coarse.all_loops);
 }
 
 }  // namespace
@@ -248,17 +275,18 @@ ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units u
   curve.coarse = is_coarse(series);
   widen(curve.force_max, missed_above(curve.force));
   widen(curve.delta_max, missed_above(curve.delta));
-  for (const std::size_t first : {0, 1}) {
+  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
     const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum,
-                                      series.window);
+                                      series.window, &curve);
     widen(curve.force_max, coarse.force_max);
     widen(curve.force_min_loading, coarse.force_min_loading);
     widen(curve.delta_max, coarse.delta_max);
-    if (curve.cycles.empty()) continue;
-    widen(curve.hysteresis_area, coarse.hysteresis_area);
-    widen(curve.kinetic_loss, coarse.kinetic_loss);
+    widen_losses(coarse, first, curve);
   }
   add_noise(motion, units, series.noise, curve);
+  if (curve.loops.empty()) return curve;
+  curve.hysteresis_area = curve.loops[0].area;
+  curve.kinetic_loss = curve.loops[0].kinetic_loss;
   return curve;
 }
 
@@ -278,6 +306,7 @@ Table force_table(const ForceCurve& curve, const RelativeMotion& motion, const T
   std::vector<double> phase;
   for (const Phase p : curve.phase) phase.push_back(static_cast<double>(p));
   table.add_column({"phase", dimension::none, std::move(labels)}, std::move(phase));
+  if (!motion.lost.empty()) table.add_column({"lost", dimension::none}, motion.lost);
   for (std::size_t k = 0; k < bodies.columns().size(); ++k) {
     const ColumnSpec& spec = bodies.columns()[k];
     const auto values = bodies.column(k);

@@ -34,9 +34,18 @@ struct Cycle {
   std::size_t start, turn, end;  ///< frames of least, greatest, least delta
 };
 
+/// What a cycle costs by the force, and by the motion; must be the same.
+struct Loop {
+  Value area;          ///< between loading and unloading over the delta that both cover [energy]
+  Value kinetic_loss;  ///< of the motion along the centre line between the same passages [energy]
+  double low = 0;           ///< delta that it begins and ends at [length]
+  double area_by_time = 0;  ///< by a rule of higher order; NaN without speeds and times
+};
+
 /// Force against mutual approach, and what is read off it. Errors are the largest difference to the
 /// same number from every second frame (even ones, odd ones), for maxima at least twice the rise of a
-/// parabola above the greatest sample, and together with that the noise of the force.
+/// parabola above the greatest sample, for loop areas at least what unresolved sampling leaves (see
+/// analyses/loop_loss.hpp), and together with that the noise of the force.
 struct ForceCurve {
   std::vector<double> distance;  ///< X [length]
   std::vector<double> delta;     ///< R1 + R2 - X [length]
@@ -52,12 +61,15 @@ struct ForceCurve {
   Value force_min_loading;  ///< least force up to the first turn (greatest attraction)
   Value delta_max;
   /// Area between the first loading and the first unloading branch over the delta that both cover:
-  /// the energy lost in the first cycle; for a head-on bounce all
-  /// that is lost. NaN without a turn.
+  /// the energy lost in the first cycle; for a head-on bounce all that is lost. NaN without a turn.
   Value hysteresis_area;
-  /// Relative kinetic energy lost between the two passages of the delta that the loop begins and ends
-  /// at: must be the loop area. NaN without a turn, or if speeds are unknown.
-  Value kinetic_loss;
+  /// Kinetic energy that the motion along the centre line lost to the force between the two passages of
+  /// the delta that the loop begins and ends at: must be the loop area. NaN without a turn, or if
+  /// speeds are unknown. And all that the relative motion lost between them, which is less by what
+  /// tangential forces gave to the motion across the line.
+  Value kinetic_loss, kinetic_loss_total;
+  std::vector<Loop> loops;  ///< of each cycle
+  Loop all_loops;           ///< from the start of the first cycle to the end of the last one
 
   int window = 0;        ///< frames that a derivative is made from; 0 for summed forces
   bool coarse = false;   ///< halved sampling changes the force by more than 5 % of its maximum
@@ -71,7 +83,7 @@ bool energies_disagree(const ForceCurve& curve);
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
                        double radius_sum);
 
-/// Columns step, [time,] X, delta, [v,] F, phase, and the bodies' centres of mass x1 y1 z1 x2 y2 z2 and
+/// Columns step, [time,] X, delta, [v,] F, F_error, phase, lost (atoms), and the bodies' centres of mass x1 y1 z1 x2 y2 z2 and
 /// velocities vx1 ... of the motion table, as far as they were measured: a row a frame.
 Table force_table(const ForceCurve& curve, const RelativeMotion& motion, const Table& bodies);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/relative_motion.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,14 +22,28 @@ Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3
   return derivative(motion.times, samples, rule);
 }
 
-/// Masses summed in another order of the atoms differ by rounding; a lost atom of 10^8 by 1e-8.
-bool differ(double mass, double first) { return std::abs(mass - first) > 1e-10 * first; }
+/// Change of atoms or mass of a body over those of the first frame. Masses summed in another order of
+/// the atoms differ by rounding; a lost atom of 10^8 by 1e-8.
+double loss(const BodyMotion& body, const BodyMotion& first) {
+  const double mass = std::abs(body.mass - first.mass) / first.mass;
+  return std::max(std::abs(body.atoms - first.atoms) / first.atoms, mass > 1e-10 ? mass : 0);
+}
 
-/// Measured velocities, else the derivative of the positions, else no columns.
-Eigen::Matrix3Xd best_velocity(const RelativeMotion& motion) {
-  if (motion.velocity.cols() > 0) return motion.velocity;
-  if (motion.times.empty() || motion.frames() <= first_derivative.degree) return {};
-  return derivative(motion.times, motion.position, first_derivative);
+/// Counts what the bodies lost up to frame `i`.
+void follow_atoms(const std::array<BodyMotion, 2>& bodies, const std::array<BodyMotion, 2>& first,
+                  std::size_t i, RelativeMotion& motion) {
+  const double change = std::max(loss(bodies[0], first[0]), loss(bodies[1], first[1]));
+  motion.lost.push_back(first[0].atoms + first[1].atoms - bodies[0].atoms - bodies[1].atoms);
+  if (change > 0 && motion.first_lost == 0) motion.first_lost = i;
+  motion.greatest_loss = std::max(motion.greatest_loss, change);
+  if (change > most_lost)
+    throw InputError(fmt::format("step {}: the bodies ({:.10g} and {:.10g} atoms, masses {:.10g} and "
+                                 "{:.10g}) differ by more than {:g} % from those of the first frame "
+                                 "({:.10g} and {:.10g}, {:.10g} and {:.10g}): atoms were lost or changed "
+                                 "body; use the frames before it (--frames)",
+                                 motion.steps[i], bodies[0].atoms, bodies[1].atoms, bodies[0].mass,
+                                 bodies[1].mass, 100 * most_lost, first[0].atoms, first[1].atoms,
+                                 first[0].mass, first[1].mass));
 }
 
 /// Components of the columns of `vectors` along the centre line.
@@ -101,6 +117,8 @@ RelativeMotion RelativeMotion::subset(std::size_t first, std::size_t stride) con
   part.steps = every(steps, first, stride);
   part.times = every(times, first, stride);
   part.reduced_mass = reduced_mass;
+  part.lost = every(lost, first, stride);
+  part.greatest_loss = greatest_loss;
   part.position_noise = position_noise;
   part.velocity_noise = velocity_noise;
   part.position = every(position, first, stride);
@@ -121,19 +139,15 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
   result.velocity.resize(3, has_velocity ? n : 0);
   result.acceleration.resize(3, has_force ? n : 0);
   check_times(result);
-  double mass1 = 0, mass2 = 0;
+  std::array<BodyMotion, 2> first;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto [a, b] = body_motion(motion, static_cast<std::size_t>(i));
+    const std::array<BodyMotion, 2> bodies = body_motion(motion, static_cast<std::size_t>(i));
+    const auto& [a, b] = bodies;
     if (i == 0) {
-      mass1 = a.mass;
-      mass2 = b.mass;
-      result.reduced_mass = mass1 * (mass2 / (mass1 + mass2));
+      first = bodies;
+      result.reduced_mass = a.mass * (b.mass / (a.mass + b.mass));
     }
-    if (differ(a.mass, mass1) || differ(b.mass, mass2))
-      throw InputError(fmt::format("step {}: the masses of the bodies ({:.10g}, {:.10g}) differ "
-                                   "from those of the first frame ({:.10g}, {:.10g}): atoms were "
-                                   "lost or changed body", steps[static_cast<std::size_t>(i)],
-                                   a.mass, b.mass, mass1, mass2));
+    follow_atoms(bodies, first, static_cast<std::size_t>(i), result);
     result.position.col(i) = b.position - a.position;
     if (has_velocity) result.velocity.col(i) = b.velocity - a.velocity;
     if (has_force) result.acceleration.col(i) = b.force / b.mass - a.force / a.mass;
@@ -141,14 +155,20 @@ RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64
   return result;
 }
 
+Eigen::Matrix3Xd relative_velocity(const RelativeMotion& motion) {
+  if (motion.velocity.cols() > 0) return motion.velocity;
+  if (motion.times.empty() || motion.frames() <= first_derivative.degree) return {};
+  return derivative(motion.times, motion.position, first_derivative);
+}
+
 std::vector<double> approach_speed(const RelativeMotion& motion) {
-  const Eigen::Matrix3Xd velocity = best_velocity(motion);
+  const Eigen::Matrix3Xd velocity = relative_velocity(motion);
   if (velocity.cols() == 0) return {};
   return along_centre_line(motion, velocity, -1.0);
 }
 
 std::vector<double> squared_speed(const RelativeMotion& motion) {
-  const Eigen::RowVectorXd squares = best_velocity(motion).colwise().squaredNorm();
+  const Eigen::RowVectorXd squares = relative_velocity(motion).colwise().squaredNorm();
   return {squares.begin(), squares.end()};
 }
 

@@ -31,6 +31,11 @@ struct RelativeMotion {
   Eigen::Matrix3Xd position;      ///< X2 - X1 [length]
   Eigen::Matrix3Xd velocity;      ///< [velocity]; no columns if not measured
   Eigen::Matrix3Xd acceleration;  ///< F2/m2 - F1/m1 [force/mass]; no columns without forces
+  /// Atoms of the bodies that are missing since the first frame, in each frame (less than zero: there
+  /// are more).
+  std::vector<double> lost;
+  std::size_t first_lost = 0;     ///< first frame in which a body has other atoms; 0 if there is none
+  double greatest_loss = 0;       ///< greatest change of a body's atoms or mass over that of frame 0
   /// Standard deviation of a component by the printed digits; 0 if they are exact or not known.
   double position_noise = 0, velocity_noise = 0;
 
@@ -42,10 +47,17 @@ struct RelativeMotion {
   RelativeMotion subset(std::size_t first, std::size_t stride) const;
 };
 
-/// From a motion table. `times` may be empty. Throws InputError if the reduced mass is not constant
-/// (atoms of a body lost or gained) or times do not grow.
+/// Beyond this part of its atoms or its mass a body that loses or gains atoms is no longer the same.
+inline constexpr double most_lost = 0.01;
+
+/// From a motion table. `times` may be empty. The reduced mass stays that of the first frame; the
+/// bodies' centres and their velocities are those of the atoms that are there. Throws InputError if a
+/// body loses or gains more than most_lost, or times do not grow.
 RelativeMotion relative_motion(const Table& motion, const std::vector<std::int64_t>& steps,
                                const std::vector<double>& times);
+
+/// Measured velocities, else the derivative of the positions, else no columns [velocity].
+Eigen::Matrix3Xd relative_velocity(const RelativeMotion& motion);
 
 /// Approach speed -dX/dt > 0 while approaching, from velocities or else from positions [velocity];
 /// empty if neither velocities nor times are known, or if frames are too few to differentiate.

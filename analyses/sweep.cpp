@@ -113,6 +113,7 @@ class Sweep {
     } catch (const InputError& error) {
       if (result_.steps.empty() || options_.strict) throw;
       result_.damage = error.what();
+      if (last_count_is_doubtful()) drop_last();
     }
     if (result_.steps.empty()) throw InputError(path_ + ": no frame in the file, or none chosen");
     result_.unwrapped = unwrapping_.has_value();
@@ -217,7 +218,22 @@ class Sweep {
     for (std::size_t k = 0; k < rows.size(); ++k) result_.tables[k].add_row(rows[k]);
     result_.steps.push_back(header.step);
     if (header.time) result_.stated_times.push_back(*header.time);
+    atoms_.push_back(header.atoms);
     if (options_.progress) options_.progress({result_.steps.size(), share});
+  }
+
+  /// Damage right behind a frame with another number of atoms than the one before it: that number may
+  /// be what is wrong, and lines that belong to the frame what cannot be read.
+  bool last_count_is_doubtful() const {
+    const std::size_t n = atoms_.size();
+    return n > 1 && atoms_[n - 1] != atoms_[n - 2];
+  }
+
+  void drop_last() {
+    for (Table& table : result_.tables) table.drop_last_row();
+    if (result_.stated_times.size() == result_.steps.size()) result_.stated_times.pop_back();
+    result_.steps.pop_back();
+    atoms_.pop_back();
   }
 
   std::string path_;
@@ -229,6 +245,7 @@ class Sweep {
   std::vector<Small> small_;
   std::optional<Unwrapping> unwrapping_;  ///< once a frame needs it
   SweepResult result_;
+  std::vector<std::uint64_t> atoms_;  ///< of the frames used, as their headers state them
 
   FrameHeader header_;  ///< of the pending frame, if there is one
   std::optional<double> share_;

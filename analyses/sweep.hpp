@@ -59,7 +59,8 @@ struct SweepResult {
 /// a motion analysis, by convention its first. Threads share the blocks of large frames, and small
 /// frames; the bits of the result do not depend on them.
 /// Wrapped positions without image flags are unwrapped by continuity (see analyses/box_centres.hpp).
-/// Frames from one that is damaged on are left out and `damage` says why; throws InputError if
+/// Frames from one that is damaged on are left out, and one right before it that has another number of
+/// atoms than the frame before, and `damage` says why; throws InputError if
 /// nothing can be used at all, Interrupted if `stop` is set, std::invalid_argument at stride 0.
 SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
                   std::span<const std::unique_ptr<Analysis>> analyses,

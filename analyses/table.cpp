@@ -24,6 +24,11 @@ void Table::add_row(std::span<const double> values) {
   ++rows_;
 }
 
+void Table::drop_last_row() {
+  for (auto& column : values_) column.pop_back();
+  --rows_;
+}
+
 void Table::add_column(ColumnSpec spec, std::vector<double> values) {
   if (!specs_.empty() && values.size() != rows_)
     throw std::logic_error("Table::add_column: wrong length");

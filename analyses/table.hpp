@@ -33,6 +33,7 @@ class Table {
 
   /// Appends a row; as many values as columns.
   void add_row(std::span<const double> values);
+  void drop_last_row();  ///< of a table that has one
   /// Appends a column; as many values as rows (any number in an empty table).
   void add_column(ColumnSpec spec, std::vector<double> values);
 

@@ -19,15 +19,16 @@ namespace {
 
 constexpr std::size_t most_bodies = 255;
 
-/// The first frame, and which of its atoms count.
+/// A frame, the first unless another is asked for, and which of its atoms count.
 struct FirstFrame {
   const std::filesystem::path& dump;
   const FrameHeader& header;
   const std::optional<Selection>& selection;
+  std::uint64_t index = 0;
 
   template <class Use>
-  void for_blocks(const ColumnSet& wanted, Use&& use) const {
-    for_first_frame(dump, wanted, std::forward<Use>(use), selection);
+  FrameHeader for_blocks(const ColumnSet& wanted, Use&& use) const {
+    return for_frame(dump, index, wanted, std::forward<Use>(use), selection);
   }
 };
 
@@ -109,7 +110,7 @@ Bodies by_clusters(const FirstFrame& frame) {
     throw InputError(fmt::format("{}: no column 'id' to follow clusters by", first.place));
   std::vector<std::int64_t> ids;
   std::vector<double> coordinates;  // grows with what is read: the stated number may be wrong
-  frame.for_blocks({"id", "x", "y", "z"}, [&](const AtomBlock& block) {
+  const FrameHeader read = frame.for_blocks({"id", "x", "y", "z"}, [&](const AtomBlock& block) {
     const auto id = block.integer("id");
     const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
     ids.insert(ids.end(), id.begin(), id.end());
@@ -119,10 +120,10 @@ Bodies by_clusters(const FirstFrame& frame) {
   const Eigen::Map<const Eigen::Matrix3Xd> positions(coordinates.data(), 3,
                                                      static_cast<Eigen::Index>(ids.size()));
   try {
-    const Clusters clusters = find_clusters(positions, wrapping_box(first));
+    const Clusters clusters = find_clusters(positions, wrapping_box(read));
     return {"id", cluster_runs(clusters, ids, ids.size() / 100 + 1),
-            fmt::format("clusters of atoms within {:.4g} of each other in the first frame",
-                        clusters.link_distance)};
+            fmt::format("clusters of atoms within {:.4g} of each other in {}", clusters.link_distance,
+                        frame.index == 0 ? "the first frame" : fmt::format("frame {}", frame.index))};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", first.place, error.what()));
   }
@@ -142,6 +143,15 @@ Bodies by_default(const FirstFrame& frame) {
 Bodies::Bodies(std::string column, std::vector<Run> runs, std::string rule)
     : column_(std::move(column)), runs_(std::move(runs)), rule_(std::move(rule)) {
   for (const Run& run : runs_) count_ = std::max<std::size_t>(count_, run.body);
+}
+
+Bodies Bodies::renumbered(std::span<const BodyIndex> number) const {
+  std::vector<Run> runs;
+  for (Run run : runs_) {
+    run.body = number[run.body - 1];
+    if (run.body > 0) runs.push_back(run);
+  }
+  return {column_, std::move(runs), rule_};
 }
 
 void Bodies::label(const AtomBlock& block, std::vector<BodyIndex>& body) const {
@@ -174,6 +184,11 @@ Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
   if (rule == "type" || rule == "mol") return by_values(frame, rule);
   if (rule.starts_with("id:")) return by_id_range(first, rule);
   return by_clusters(frame);
+}
+
+Bodies clusters_of_frame(const std::filesystem::path& dump, const FrameHeader& header,
+                         std::uint64_t frame, const std::optional<Selection>& selection) {
+  return by_clusters({dump, header, selection, frame});
 }
 
 }  // namespace mdana

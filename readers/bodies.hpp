@@ -35,6 +35,9 @@ class Bodies {
   const std::string& rule() const { return rule_; }  ///< "type 1 and type 2", for the output
   ColumnSet columns() const { return {column_}; }
 
+  /// The same atoms as other bodies: body b becomes `number[b - 1]`, 0 none.
+  Bodies renumbered(std::span<const BodyIndex> number) const;
+
   /// Body of each atom of the block.
   void label(const AtomBlock& block, std::vector<BodyIndex>& body) const;
 
@@ -54,5 +57,10 @@ void check_bodies_rule(const std::string& rule);
 /// clusters. Reads the first frame, of which only selected atoms count. Throws InputError if the rule does not fit the dump.
 Bodies find_bodies(const std::filesystem::path& dump, const FrameHeader& first,
                    const std::string& rule, const std::optional<Selection>& selection = {});
+
+/// Clusters of a frame, counted from 0, as bodies: see `clusters` above. `header` is that of any frame of
+/// the dump.
+Bodies clusters_of_frame(const std::filesystem::path& dump, const FrameHeader& header,
+                         std::uint64_t frame, const std::optional<Selection>& selection = {});
 
 }  // namespace mdana

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "readers/format.hpp"
 #include "readers/selection.hpp"
@@ -23,15 +25,18 @@ std::string_view format_of(const std::filesystem::path& path);
 /// The header of the first frame. Throws InputError if there is none.
 FrameHeader first_header(const std::filesystem::path& path);
 
-/// Calls `use(block)` for each block of the first frame in order, of selected atoms if there is a
-/// selection; throws as reading does.
+/// Calls `use(block)` for each block of frame `index` (counted from 0) in order, of selected atoms if
+/// there is a selection; throws as reading does. Without such a frame the header is empty.
 template <class Use>
-FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted, Use&& use,
-                            const std::optional<Selection>& selection = {}) {
+FrameHeader for_frame(const std::filesystem::path& path, std::uint64_t index, ColumnSet wanted,
+                      Use&& use, const std::optional<Selection>& selection = {}) {
   if (selection) wanted.select(*selection);
   const auto source = open_trajectory(path, wanted);
   FrameHeader header;
-  if (!source->next(header)) return header;
+  if (index > 0) source->seek(index);
+  do {
+    if (!source->next(header)) return {};
+  } while (header.index < index);
   Chunk chunk;
   AtomBlock block;
   while (source->cut(chunk)) {
@@ -39,6 +44,13 @@ FrameHeader for_first_frame(const std::filesystem::path& path, ColumnSet wanted,
     use(static_cast<const AtomBlock&>(block));
   }
   return header;
+}
+
+/// The same of the first frame.
+template <class Use>
+FrameHeader for_first_frame(const std::filesystem::path& path, const ColumnSet& wanted, Use&& use,
+                            const std::optional<Selection>& selection = {}) {
+  return for_frame(path, 0, wanted, std::forward<Use>(use), selection);
 }
 
 }  // namespace mdana

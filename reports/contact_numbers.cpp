@@ -40,9 +40,38 @@ std::span<const Definition> measured_definitions() {
 
 constexpr std::size_t spacing_sample = 20'000;  ///< atoms; enough for a median, quick to search
 
-/// Of the atoms of both bodies in the first frame.
+/// The positions nearest to the first one given, up to spacing_sample of them.
+class Nearest {
+ public:
+  void add(const Eigen::Vector3d& position) {
+    positions_.push_back(position);
+    if (positions_.size() >= 2 * spacing_sample) cut();
+  }
+  std::vector<Eigen::Vector3d> take() {
+    if (positions_.size() > spacing_sample) cut();
+    return std::move(positions_);
+  }
+
+ private:
+  /// A position that is not finite stays: it is refused later.
+  void cut() {
+    const Eigen::Vector3d centre = positions_.front();
+    const auto distance = [&](const Eigen::Vector3d& p) {
+      return centre.allFinite() && p.allFinite() ? (p - centre).squaredNorm() : -1.0;
+    };
+    std::nth_element(positions_.begin() + 1, positions_.begin() + spacing_sample, positions_.end(),
+                     [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+                       return distance(p) < distance(q);
+                     });
+    positions_.resize(spacing_sample);
+  }
+
+  std::vector<Eigen::Vector3d> positions_;
+};
+
+/// Of the atoms of both bodies in the first frame, those about the first one.
 std::vector<Eigen::Vector3d> first_positions(const Run& run) {
-  std::vector<Eigen::Vector3d> positions;
+  Nearest positions;
   ColumnSet wanted{"x", "y", "z"};
   wanted.add(run.bodies.columns());
   std::vector<BodyIndex> body;
@@ -50,28 +79,15 @@ std::vector<Eigen::Vector3d> first_positions(const Run& run) {
     run.bodies.label(block, body);
     const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
     for (std::size_t i = 0; i < body.size(); ++i)
-      if (body[i] == 1 || body[i] == 2) positions.emplace_back(x[i], y[i], z[i]);
+      if (body[i] == 1 || body[i] == 2) positions.add({x[i], y[i], z[i]});
   };
   for_first_frame(run.dump, wanted, take, run.selection);
-  return positions;
-}
-
-bool all_finite(const std::vector<Eigen::Vector3d>& positions) {
-  return std::all_of(positions.begin(), positions.end(),
-                     [](const Eigen::Vector3d& p) { return p.allFinite(); });
+  return positions.take();
 }
 
 /// Median distance to the nearest neighbour in the first frame, of the atoms about the first one.
 double first_spacing(const Run& run) {
-  std::vector<Eigen::Vector3d> positions = first_positions(run);
-  if (positions.size() > spacing_sample && all_finite(positions)) {  // else refused below
-    const Eigen::Vector3d centre = positions.front();
-    std::nth_element(positions.begin(), positions.begin() + spacing_sample, positions.end(),
-                     [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-                       return (p - centre).squaredNorm() < (q - centre).squaredNorm();
-                     });
-    positions.resize(spacing_sample);
-  }
+  const std::vector<Eigen::Vector3d> positions = first_positions(run);
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(positions.size()));
   for (std::size_t i = 0; i < positions.size(); ++i)
     points.col(static_cast<Eigen::Index>(i)) = positions[i];

@@ -50,6 +50,31 @@ ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, Fo
   return curve;
 }
 
+namespace {
+
+/// Of each cycle, and of all together.
+void add_loops(Document& document, const ForceCurve& curve) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < curve.loops.size(); ++k)
+    list.push_back({{"frames", {curve.cycles[k].start, curve.cycles[k].turn, curve.cycles[k].end}},
+                    {"hysteresis_area", to_json(curve.loops[k].area)},
+                    {"kinetic_loss", to_json(curve.loops[k].kinetic_loss)}});
+  document.json("loops", std::move(list));
+  document.json("all_loops", {{"hysteresis_area", to_json(curve.all_loops.area)},
+                              {"kinetic_loss", to_json(curve.all_loops.kinetic_loss)}});
+}
+
+void add_off_axis(Document& document, const Restitution& restitution) {
+  const std::pair<const char*, const Value&> numbers[] = {
+      {"off_axis.impact_parameter", restitution.impact_parameter},
+      {"off_axis.tangential_speed_before", restitution.tangential_before},
+      {"off_axis.tangential_speed_after", restitution.tangential_after}};
+  for (const auto& [name, value] : numbers)
+    if (!std::isnan(value.value)) document.number(name, value);
+}
+
+}  // namespace
+
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii) {
   document.text("outcome", std::string(name(curve.outcome)));
@@ -58,6 +83,9 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
   document.number("delta_max", curve.delta_max);
   document.number("hysteresis_area", curve.hysteresis_area);
   document.number("kinetic_loss", curve.kinetic_loss);
+  if (!std::isnan(curve.kinetic_loss_total.value))
+    document.number("kinetic_loss_total", curve.kinetic_loss_total);
+  add_loops(document, curve);
   document.json("force_source", name(source));
   document.line("force from", std::string(description(source)));
   document.number("radius_sum", {radii.sum(), {}, dimension::length});
@@ -74,6 +102,7 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
 }
 
 void add_restitution(Document& document, const Restitution& restitution) {
+  add_off_axis(document, restitution);
   if (!restitution.reason.empty())
     return document.left_out("coefficient of restitution", restitution.reason);
   document.number("e", restitution.e);
@@ -81,6 +110,18 @@ void add_restitution(Document& document, const Restitution& restitution) {
   document.number("speed_before", restitution.speed_before);
   if (!std::isnan(restitution.speed_after.value))
     document.number("speed_after", restitution.speed_after);
+}
+
+void add_lost_atoms(Document& document, const RelativeMotion& motion) {
+  const auto most = std::ranges::max_element(
+      motion.lost, {}, [](double lost) { return std::abs(lost); });
+  document.json("lost", most == motion.lost.end() ? 0.0 : *most);
+  if (motion.first_lost == 0) return;
+  document.warn(fmt::format("the bodies have other atoms than in the first frame from frame {} (step {}) "
+                            "on: up to {:g} fewer (column lost), {:.2g} % of a body; its centre and "
+                            "velocity are those of the atoms that are there",
+                            motion.first_lost, motion.steps[motion.first_lost], *most,
+                            100 * motion.greatest_loss));
 }
 
 void warn_of_force(Document& document, const ForceCurve& curve) {

@@ -33,8 +33,11 @@ ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, Fo
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii);
 
-/// e, e_total and the speeds that they are ratios of, or why there are none.
+/// Motion off the axis, e, e_total and the speeds that they are ratios of, or why there are none.
 void add_restitution(Document& document, const Restitution& restitution);
+
+/// `lost`, the greatest number of the bodies' atoms that are missing, and a warning if there are any.
+void add_lost_atoms(Document& document, const RelativeMotion& motion);
 
 /// Warns where the numbers of a force curve do not mean what they seem to.
 void warn_of_force(Document& document, const ForceCurve& curve);

@@ -56,7 +56,8 @@ void add_windows(Document& document, const EnergyWindows& windows) {
   document.line("averaged over", fmt::format("frames {} to {}, and {} to {}", before.first,
                                              before.last - 1, after.first, after.last - 1));
   if (std::min(before.frames(), after.frames()) < 2)
-    document.warn("one frame before contact or after it: energies have no error");
+    document.warn("one frame before contact or after it: the errors of energies are what they change "
+                  "to the frame beside it");
 }
 
 void add_temperatures(Document& document, const EnergyBudget& budget) {
@@ -78,6 +79,7 @@ void add_conversion(Document& document, const EnergyBudget& budget) {
   document.number("energy.W_share", budget.W_share);
   document.number("energy_drift", budget.energy_drift);
   document.number("energy.converted", budget.converted);
+  if (budget.ringing.value > 0) document.number("energy.ringing", budget.ringing);
   if (std::abs(budget.energy_drift.value) > large_drift)
     document.warn(fmt::format("the total energy changes by {:.2g} of the first K_p: shares of W and "
                               "K_t are no better than that (time step, thermostat, walls, or W is "
@@ -184,6 +186,18 @@ void add_energy(Document& document, const MeasuredEnergy& energy) {
   if (energy.atoms_of_no_body > 0)
     document.warn(fmt::format("up to {:.0f} atoms of a frame belong to no body: their kinetic energy "
                               "is not counted", energy.atoms_of_no_body));
+}
+
+void add_rotation(Document& document, const EnergyCurve& energy, const ForceCurve& curve) {
+  const auto windows = energy_windows(curve);
+  if (!windows) return document.left_out("rotation", "no frame before contact, or no turn");
+  for (std::size_t b = 0; b < 2; ++b) {
+    const std::string name = fmt::format("rotation.body{}_", b + 1);
+    document.number(name + "before",
+                    window_mean(energy.rotation[b], windows->before, dimension::energy));
+    document.number(name + "after",
+                    window_mean(energy.rotation[b], windows->after, dimension::energy));
+  }
 }
 
 }  // namespace mdana

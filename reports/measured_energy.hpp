@@ -55,4 +55,8 @@ MeasuredEnergy measure_energy(const Run& run, const MeasuredMotion& measured, co
 /// Numbers, sources, warnings and what was left out, under the names that other programs rely on.
 void add_energy(Document& document, const MeasuredEnergy& energy);
 
+/// Energy of rotation of each body before and after, in the windows of the energy budget, which start
+/// and end where the phases say; or why there is none.
+void add_rotation(Document& document, const EnergyCurve& energy, const ForceCurve& curve);
+
 }  // namespace mdana

@@ -62,6 +62,11 @@ Value residual_delta(const ForceCurve& curve) {
           dimension::length};
 }
 
+/// One sign more.
+void raise(Plasticity& verdict) {
+  verdict = verdict == Plasticity::no ? Plasticity::possible : Plasticity::yes;
+}
+
 void judge(const ForceCurve& curve, PlasticSigns& signs) {
   const double p = signs.pressure().value;
   const char* law = signs.pressure_jkr ? "JKR" : "Hertz";
@@ -83,8 +88,7 @@ void judge(const ForceCurve& curve, PlasticSigns& signs) {
   signs.reasons.push_back(fmt::format("residual delta {:.3g} ± {:.2g}: {}", rest.value,
                                       rest.error.value_or(0),
                                       significant ? "a dent is left" : "no dent beyond its error"));
-  if (significant && signs.verdict == Plasticity::possible) signs.verdict = Plasticity::yes;
-  if (significant && signs.verdict == Plasticity::no) signs.verdict = Plasticity::possible;
+  if (significant) raise(signs.verdict);
 }
 
 }  // namespace
@@ -101,6 +105,31 @@ PlasticSigns plastic_signs(const ForceCurve& curve, const ElasticContact& contac
   signs.residual = residual_delta(curve);
   judge(curve, signs);
   return signs;
+}
+
+Value far_side_growth(const Table& far_side, std::size_t body,
+                      const std::optional<EnergyWindows>& windows) {
+  const auto column = far_side.column("far_side" + std::to_string(body));
+  const std::vector<double> reach(column.begin(), column.end());
+  if (!windows) return {reach.back() - reach.front(), {}, dimension::length};
+  const Value before = window_mean(reach, windows->before, dimension::length);
+  const Value after = window_mean(reach, windows->after, dimension::length);
+  Value growth{after.value - before.value, {}, dimension::length};
+  if (before.error && after.error) growth.error = std::hypot(*before.error, *after.error);
+  return growth;
+}
+
+void judge_bumps(PlasticSigns& signs, const std::array<Value, 2>& bump, double spacing) {
+  signs.bump = bump;
+  bool significant = false;
+  for (const Value& b : bump)
+    significant = significant || (b.value > bump_fraction * spacing &&
+                                  (!b.error || b.value > 3 * *b.error));
+  signs.reasons.push_back(
+      fmt::format("far sides grow by {:.3g} ± {:.2g} and {:.3g} ± {:.2g}: {}", bump[0].value,
+                  bump[0].error.value_or(0), bump[1].value, bump[1].error.value_or(0),
+                  significant ? "a bump opposite to the contact" : "no bump"));
+  if (significant) raise(signs.verdict);
 }
 
 }  // namespace mdana

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analyses/contact_patch/cross_neighbours.hpp"
+#include "analyses/contact_patch/neighbour_offset.hpp"
 #include "analyses/contact_plane.hpp"
 
 namespace mdana {
@@ -101,11 +102,27 @@ class ContactPatchPartial final : public Partial {
                       settings_.spacing);
   }
 
-  /// The error has the change by a cutoff that is a tenth less and more.
+  /// Gap of the surfaces up to which atoms are neighbours: from planes whose nearest atoms are d apart,
+  /// which are in contact, to those where they are as far as the cutoff; 5/36 d^2 is the mean square by
+  /// which the nearest atom is not opposite.
+  double gap() const {
+    const double d = settings_.spacing, c = settings_.cutoff, aside = 5.0 / 36 * d * d;
+    return std::sqrt(std::max(0.0, c * c - aside)) - std::sqrt(d * d - aside);
+  }
+
+  double reduced_radius() const {
+    const auto [a, b] = settings_.radius;
+    return a * (b / (a + b));
+  }
+
+  /// The error has the change by a cutoff that is a tenth less and more, and what the definition reaches
+  /// beyond a contact of spheres.
   Radius neighbours_radius(const std::vector<double>& distance) const {
     Radius radius(neighbours(distance, settings_.cutoff));
     const double least = neighbours(distance, (1 - cutoff_change) * settings_.cutoff).radius();
     radius.widen(neighbours(distance, reach()).radius() - least);
+    radius.error =
+        std::hypot(radius.error, neighbour_offset(radius.value, reduced_radius(), gap()));
     return radius;
   }
 

@@ -16,6 +16,10 @@ namespace {
 using Points = std::vector<Eigen::Vector2d>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
+/// Cells by which the edge is off for each atom at it, as layers through crystals of any orientation
+/// have rows and gaps; how it was set is told in contact_patch.md.
+constexpr double irregular_edge = 0.2;
+
 /// Area of an atom in a close-packed plane, in spacings squared.
 const double close_packed = std::sqrt(3.0) / 2;
 
@@ -126,7 +130,7 @@ PatchArea patch_area(std::span<const Eigen::Vector2d> points, double spacing) {
   PatchArea patch{0, 0, corners(triangles), edge_corners(triangles)};
   const auto edge = static_cast<double>(patch.boundary);
   patch.area = cell * static_cast<double>(patch.atoms);
-  patch.error = cell * std::hypot(2 * std::sqrt(edge / 12), 0.15 * edge);
+  patch.error = cell * std::hypot(2 * std::sqrt(edge / 12), irregular_edge * edge);
   return patch;
 }
 

@@ -77,6 +77,7 @@ int run_command(const Values& values) {
 
   Document document("contact-radius", run);
   document.sweep(measured.swept, run.format);
+  add_lost_atoms(document, measured.motion);
   add_contact_radius(document, numbers, setup);
   document.text("radius_source", radii.source);
   for (const std::string& w : contact_disagreements(numbers, run.units)) document.warn(w);

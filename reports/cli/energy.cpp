@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/energy.hpp"
 #include "reports/cli/measuring_options.hpp"
+#include "reports/exchange.hpp"
 
 namespace mdana::cli {
 namespace {
 
+struct Measured {
+  const Run& run;
+  const Radii& radii;
+  const MeasuredMotion& motion;
+  const MeasuredEnergy& energy;
+  const SweepOptions& sweeping;
+};
+
+/// Energies by the final clusters besides.
+void tell_exchange(Document& document, const Measured& m, bool wanted) {
+  if (!m.energy.budget) return;
+  const ForceCurve curve = force_curve(m.motion.motion, best_force_source(m.run), m.run.units,
+                                       m.radii.sum());
+  add_exchange(document, {m.run, m.motion, curve, restitution(m.motion.motion, curve), m.energy.curve,
+                          m.energy.budget->windows.after, m.sweeping, wanted});
+}
+
 void add_options(Options& options) {
   add_run_options(options);
+  add_membership_options(options);
   add_potential_options(options);
   add_output_options(options, true);
 }
@@ -28,8 +47,12 @@ int run_command(const Values& values) {
 
   Document document("energy", run);
   document.sweep(measured.swept, run.format);
+  add_lost_atoms(document, measured.motion);
   add_energy(document, energy);
-  const Table table = energy_table(energy.curve, measured.motion.steps, measured.motion.times);
+  tell_exchange(document, {run, radii, measured, energy, sweeping}, values["final-clusters"].as<bool>());
+  Table table = energy_table(energy.curve, measured.motion.steps, measured.motion.times);
+  if (measured.motion.first_lost > 0)
+    table.add_column({"lost", dimension::none}, measured.motion.lost);
   return emit(values, document, &table);
 }
 

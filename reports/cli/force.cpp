@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "analyses/energy.hpp"
 #include "readers/input_error.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/measured.hpp"
+#include "reports/measured_energy.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -57,6 +59,27 @@ void add_comparison(Document& document, const Run& run, const RelativeMotion& mo
   document.json("sources", std::move(all));
 }
 
+bool has_velocities(const Run& run) {
+  return run.first.has_column("vx") && run.first.has_column("vy") && run.first.has_column("vz");
+}
+
+/// Positions and velocities tell how the bodies turn.
+std::vector<std::unique_ptr<Analysis>> rotation_analysis(const Run& run) {
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  if (has_velocities(run)) analyses.push_back(make_energy(""));
+  return analyses;
+}
+
+void tell_rotation(Document& document, const Run& run, const MeasuredMotion& measured,
+                   const ForceCurve& curve, Table& table) {
+  if (!has_velocities(run)) return document.left_out("rotation", "the dump has no velocities");
+  const EnergyCurve energy =
+      energy_curve(measured.swept.tables[0], measured.swept.tables[1], run.units);
+  add_rotation(document, energy, curve);
+  for (std::size_t b = 0; b < 2; ++b)
+    table.add_column({fmt::format("rotation{}", b + 1), dimension::energy}, energy.rotation[b]);
+}
+
 void add_options(Options& options) {
   add_run_options(options);
   options.add_options()                                                                     //
@@ -77,15 +100,18 @@ int run_command(const Values& values) {
   const bool compare = values["compare"].as<bool>();
   const ForceSource source = wanted ? *wanted : best_force_source(run);
   const Radii radii = find_radii(run, options);
-  const MeasuredMotion measured = measure_motion(run, parts(run, source, compare), {}, sweeping);
+  const MeasuredMotion measured = measure_motion(run, parts(run, source, compare),
+                                                 rotation_analysis(run), sweeping);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
 
   Document document("force", run);
   document.sweep(measured.swept, run.format);
   add_force(document, curve, source, radii);
   add_restitution(document, restitution(measured.motion, curve));
-  warn_of_force(document, curve);
   Table table = force_table(curve, measured.motion, measured.swept.tables[0]);
+  tell_rotation(document, run, measured, curve, table);
+  add_lost_atoms(document, measured.motion);
+  warn_of_force(document, curve);
   if (compare) add_comparison(document, run, measured.motion, curve, source, table);
   return emit(values, document, &table);
 }

@@ -52,6 +52,10 @@ Values parse(const Command& command, int argc, char** argv) {
   all.add(visible).add_options()("input", po::value<std::string>());
   po::positional_options_description positional;
   positional.add("input", 1);
+  if (command.positional.ends_with("...")) {
+    all.add_options()("more", po::value<std::vector<std::string>>());
+    positional.add("more", -1);
+  }
   Values values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
   return values;

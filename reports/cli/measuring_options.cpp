@@ -44,6 +44,12 @@ Material material_options(const Values& values, const Scene& scene) {
   return material;
 }
 
+void add_membership_options(Options& options) {
+  options.add_options()("final-clusters", po::bool_switch(),
+                        "look for atoms that went over to the other body also in frames of more "
+                        "than 250000 atoms (100 bytes each)");
+}
+
 void add_potential_options(Options& options) {
   options.add_options()                                              //
       ("potential", po::value<std::string>()->value_name("COLUMN"),

@@ -19,6 +19,9 @@ struct Material {
 void add_material_options(Options& options);
 Material material_options(const Values& values, const Scene& scene);
 
+/// --final-clusters: look for exchanged atoms also among many.
+void add_membership_options(Options& options);
+
 /// --potential, --log.
 void add_potential_options(Options& options);
 PotentialOptions potential_options(const Values& values);

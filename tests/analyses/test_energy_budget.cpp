@@ -91,6 +91,28 @@ TEST(EnergyBudget, SticksAndKeepsNothing) {
   EXPECT_NEAR(b.K_t_share.value, 0.25, 1e-10);
 }
 
+// Weak damping: a tenth of K_p is still there when the dump ends, wherever that is. Over whole periods
+// K_p is what is missing to 1, and the error covers it.
+TEST(EnergyBudget, RingingIsPartOfTheError) {
+  constexpr double w = 1, g = 0.02;
+  const auto damped = [](double t) -> test::Approach {
+    const double s = std::exp(-g * t) * speed / w;
+    const double delta = s * std::sin(w * t), v = s * (w * std::cos(w * t) - g * std::sin(w * t));
+    return {delta, v, -2 * g * v - (w * w + g * g) * delta};
+  };
+  for (double end = 35; end < 42; end += 0.5) {
+    const Collision c = collide(test::with_flight(speed, 1e9, 0, damped), -10, end, 0.25);
+    const EnergyBudget b = budget(c);
+    EXPECT_GT(b.ringing.value, 0.05);
+    EXPECT_NEAR(b.converted.value + b.ringing.value, 1, 1e-9);
+    ASSERT_TRUE(b.converted.error);
+    EXPECT_LE(std::abs(b.converted.value - 1), *b.converted.error);
+    const EnergyWindow after = b.windows.after;  // whole periods of 2 pi, frames every 0.05
+    const double periods = static_cast<double>(after.frames()) * 0.05 / (2 * std::numbers::pi);
+    EXPECT_NEAR(periods, std::round(periods), 0.02);
+  }
+}
+
 // Energy that leaves the system is told, and is part of the error of delta_W.
 TEST(EnergyBudget, DriftIsABoundForPotentialEnergy) {
   const EnergyBudget b = budget(collide(test::plastic_bounce(speed, 0.5, 1), -10, 20, 0.6, 0.1));
@@ -149,6 +171,12 @@ TEST(WindowMean, ErrorSeesScatterAndDrift) {
   EXPECT_LT(errors, 0.07);
   for (int i = 0; i < 400; ++i) drift.push_back(i);
   EXPECT_NEAR(*window_mean(drift, {0, 400}, dimension::none).error, 100, 1e-9);
+}
+
+TEST(WindowMean, ErrorOfOneValueIsTheChangeBesideIt) {
+  EXPECT_EQ(window_mean({3, 5, 9}, {0, 1}, dimension::none).error, 2);
+  EXPECT_EQ(window_mean({3, 5, 9}, {1, 2}, dimension::none).error, 4);
+  EXPECT_EQ(window_mean({3, 5, std::nan("")}, {1, 2}, dimension::none).error, 2);
 }
 
 TEST(WindowMean, OneValueHasNoErrorAndNoneNoValue) {

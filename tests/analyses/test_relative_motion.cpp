@@ -158,7 +158,27 @@ TEST(RelativeMotion, LostAtomsAreAnError) {
   const Body one{2, {0, 0, 0}, {}, {}};
   add_row(table, one, {6, {5, 0, 0}, {}, {}}, {});
   add_row(table, one, {5.5, {5, 0, 0}, {}, {}}, {});
-  EXPECT_INPUT_ERROR(relative_motion(table, {100, 200}, {}), "step 200", "differ");
+  EXPECT_INPUT_ERROR(relative_motion(table, {100, 200}, {}), "step 200", "lost");
+}
+
+// Up to 1 % of a body's atoms: counted, and the reduced mass stays.
+TEST(RelativeMotion, AFewLostAtomsAreCounted) {
+  Table table = motion_table({});
+  const auto add = [&](double atoms1, double atoms2) {
+    table.add_row(std::vector<double>{0, atoms1, 2 * atoms1, 0, 0, 0, atoms2, 3 * atoms2, 5, 0, 0});
+  };
+  add(1000, 2000);
+  add(1000, 2000);
+  add(998, 2001);
+  add(990, 2000);
+  const RelativeMotion motion = relative_motion(table, {1, 2, 3, 4}, {});
+  EXPECT_EQ(motion.lost, (std::vector<double>{0, 0, 1, 10}));
+  EXPECT_EQ(motion.first_lost, 2u);
+  EXPECT_NEAR(motion.greatest_loss, 0.01, 1e-12);
+  EXPECT_EQ(motion.reduced_mass, 1500);
+  EXPECT_EQ(motion.subset(1, 2).lost, (std::vector<double>{0, 10}));
+  add(989, 2000);
+  EXPECT_INPUT_ERROR(relative_motion(table, {1, 2, 3, 4, 5}, {}), "step 5", "989", "more than 1 %");
 }
 
 }  // namespace

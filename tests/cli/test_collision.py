@@ -34,7 +34,7 @@ class Collision(running.Case):
         self.assertAlmostEqual(plain["p_c"]["hertz"]["value"],
                                2 / 3.141592653589793 * (plain["delta_max"]["value"] / 2.5) ** 0.5, 12)
         self.assertIn(plain["plastic"], ("no", "possible", "yes"))
-        self.assertEqual(len(plain["plastic_reasons"]), 2)
+        self.assertEqual(len(plain["plastic_reasons"]), 3)
 
     def test_without_velocities_the_rest_is_told(self):
         bare = self.dir / "bare.lammpstrj"
