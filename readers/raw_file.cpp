@@ -92,7 +92,7 @@ void RawFile::passed(std::string_view bytes) {
 
 /// Gives back the memory of mapped pages well behind `position`; they are read again if needed.
 void RawFile::release(std::uint64_t position) {
-  constexpr std::uint64_t step = std::uint64_t{1} << 25;  // a multiple of any page size
+  constexpr std::uint64_t step = std::uint64_t{1} << 24;  // a multiple of any page size
   if (position < released_) released_ = position / step * step;
   if (position < released_ + 2 * step) return;
   const std::uint64_t end = (position - step) / step * step;

@@ -47,7 +47,7 @@ void add_methods(std::vector<AccuracyRow>& rows, const AnalysedRun& full, const 
                  const std::string& setting) {
   HertzSettings settings;
   settings.method = HertzMethod::linear;
-  const HertzFit fit = fit_hertz(hertz_data(timed.result.curve), settings);
+  const HertzFit fit = fit_hertz(hertz_data(timed.result.curve, timed.result.radii), settings);
   const double modulus = full.hertz->modulus.value, radius = full.hertz->radius.value;
   rows.push_back({setting + ", method linear", "E_star", fit.modulus.value,
                   relative_error(fit.modulus.value, modulus), timed.seconds});

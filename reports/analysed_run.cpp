@@ -8,9 +8,9 @@ namespace {
 
 /// A Hertz scene measures its own radius, so its delta counts from there.
 void fit_and_take_radius(AnalysedRun& result, const Run& run) {
-  require_equal_bodies(run, result.measured.swept.tables[0], result.radii);
+  require_known_ratio(run, result.measured.swept.tables[0], result.radii);
   result.hertz =
-      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve), {}); });
+      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve, result.radii), {}); });
   if (!result.hertz->fit.fit.usable) return;
   const double r = result.hertz->fit.radius.value;
   result.radii = {{r, r}, "Hertz fit of this run", 2 * *result.hertz->radius.error};

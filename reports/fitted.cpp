@@ -33,10 +33,10 @@ nlohmann::ordered_json details(const Value& fitted, const Spread& spread, std::s
 
 }  // namespace
 
-HertzData hertz_data(const ForceCurve& curve) {
+HertzData hertz_data(const ForceCurve& curve, const Radii& radii) {
   const std::size_t turn =
       curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles.front().turn;
-  return {curve.distance, curve.force, turn};
+  return {curve.distance, curve.force, turn, curve.force_error, radii.value[0] / radii.value[1]};
 }
 
 HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings) {
@@ -47,11 +47,12 @@ HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& se
   return result;
 }
 
-void require_equal_bodies(const Run& run, const Table& motion, const Radii& radii) {
+void require_known_ratio(const Run& run, const Table& motion, const Radii& radii) {
   const auto [a, b] = body_motion(motion, 0);
+  if (radii.given) return;
   if (differ(a.mass, b.mass) || differ(radii.value[0], radii.value[1]))
     throw InputError(fmt::format("{}: the bodies differ (masses {:.6g} and {:.6g}, radii {:.6g} and "
-                                 "{:.6g}); fit-hertz fits one radius for two equal bodies",
+                                 "{:.6g}); F(X) does not tell R1/R2: give --radius R1,R2",
                                  run.dump.string(), a.mass, b.mass, radii.value[0],
                                  radii.value[1]));
 }
@@ -69,6 +70,8 @@ void add_hertz(Document& document, const Run& run, const HertzResult& hertz) {
   document.line("standard errors",
                 fmt::format("{:.2g} and {:.2g}, correlation {:.3f}", *hertz.fit.modulus.error,
                             *hertz.fit.radius.error, hertz.fit.correlation));
+  document.json("E_star_sqrt_R_star", {{"value", hertz.fit.strength}, {"error", hertz.fit.strength_error}});
+  document.json("weights", s.weights == HertzWeights::errors ? "errors" : "equal");
   document.json("correlation", hertz.fit.correlation);
   document.text("method", std::string(name(s.method)));
   document.json("min_force_fraction", s.min_force_fraction);

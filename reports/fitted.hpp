@@ -17,13 +17,14 @@ struct HertzResult {
   Value modulus, radius;
 };
 
-HertzData hertz_data(const ForceCurve& curve);
+/// Of a curve with the radii whose ratio it was measured with.
+HertzData hertz_data(const ForceCurve& curve, const Radii& radii);
 
 HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings);
 
-/// Throws InputError if the bodies' masses or radii differ by more than 1 %: the fit has one R for
-/// both. `motion` is a motion table.
-void require_equal_bodies(const Run& run, const Table& motion, const Radii& radii);
+/// Throws InputError if the bodies differ by more than 1 % in mass or size and their radii are not given: F(X)
+/// does not tell R1/R2. `motion` is a motion table.
+void require_known_ratio(const Run& run, const Table& motion, const Radii& radii);
 
 /// Numbers of the fit under the names that other programs rely on.
 void add_hertz(Document& document, const Run& run, const HertzResult& hertz);

@@ -106,11 +106,11 @@ void require_two_bodies(const Run& run) {
 }
 
 Radii find_radii(const Run& run, const RunOptions& options) {
-  if (options.radius) return {*options.radius, "option"};
+  if (options.radius) return {*options.radius, "option", 0, true};
   if (run.scene.radii.size() == 2) {
     const std::string& how = run.scene.radius_definition;
     return {{run.scene.radii[0], run.scene.radii[1]},
-            how.empty() ? "scene" : fmt::format("scene ({} radius)", how)};
+            how.empty() ? "scene" : fmt::format("scene ({} radius)", how), 0, true};
   }
   return gyration_radii(run);
 }

@@ -54,6 +54,7 @@ struct Radii {
   std::array<double, 2> value;
   std::string source;
   double sum_error = 0;  ///< standard error of R1 + R2 [length]; 0 if they are given
+  bool given = false;    ///< by option or scene, not measured
   double sum() const { return value[0] + value[1]; }
 };
 

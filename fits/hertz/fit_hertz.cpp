@@ -19,6 +19,7 @@ constexpr double linear_power = 2.0 / 3.0;
 /// q = (2R - X_least)/range and ln k, with f = k (q - x)^1.5: both of order one at any scale.
 struct Scaled {
   std::vector<double> x, f;
+  std::vector<double> error;  ///< of f, over their geometric mean; 1 for equal weights
   double x_least = 0, range = 0, f_max = 0;
 };
 
@@ -64,7 +65,25 @@ std::vector<double> straight_line(const Scaled& data) {
   return {force_power * std::log(slope), c[1] > 0 ? c[0] / slope : 1.0};
 }
 
-PointResidual residual_of(const Scaled& data, HertzMethod method) {
+/// Standard errors of the chosen points as weights of order one.
+std::vector<double> relative_errors(const HertzData& data, const std::vector<std::size_t>& points,
+                                    HertzWeights weights) {
+  if (weights == HertzWeights::equal) return std::vector<double>(points.size(), 1.0);
+  std::vector<double> errors;
+  double logarithms = 0;
+  for (const std::size_t i : points) {
+    if (i >= data.error.size() || !(data.error[i] > 0) || !std::isfinite(data.error[i]))
+      throw InputError(fmt::format("Hertz fit: the force of frame {} has no error to weigh it by; fit with equal "
+                                   "weights", i));
+    errors.push_back(data.error[i]);
+    logarithms += std::log(data.error[i]);
+  }
+  const double mean = std::exp(logarithms / static_cast<double>(points.size()));
+  for (double& e : errors) e /= mean;
+  return errors;
+}
+
+PointResidual plain_residual(const Scaled& data, HertzMethod method) {
   if (method == HertzMethod::linear)
     return [&data](std::size_t i, std::span<const double> p, double& r, std::span<double> g) {
       const double slope = std::exp(linear_power * p[0]);
@@ -83,6 +102,19 @@ PointResidual residual_of(const Scaled& data, HertzMethod method) {
     if (g.empty()) return true;
     g[0] = k * overlap * root;
     g[1] = k * force_power * root;
+    return true;
+  };
+}
+
+/// Over the error of the point: of f, or of f^(2/3).
+PointResidual residual_of(const Scaled& data, HertzMethod method) {
+  return [&data, method, plain = plain_residual(data, method)](std::size_t i, std::span<const double> p,
+                                                               double& r, std::span<double> g) {
+    const double slope = method == HertzMethod::linear ? linear_power * std::pow(data.f[i], linear_power - 1) : 1;
+    const double weight = data.error[i] == 1 ? 1 : 1 / (data.error[i] * slope);
+    if (!plain(i, p, r, g)) return false;
+    r *= weight;
+    for (double& x : g) x *= weight;
     return true;
   };
 }
@@ -112,13 +144,15 @@ double rms_force_residual(const HertzFit& hertz, const Scaled& data) {
   return std::sqrt(sum / static_cast<double>(data.x.size()));
 }
 
-/// From {ln k, q} to E* and R with propagated errors: 2R = X_least + range q, and
-/// 4/3 E* sqrt(R/2) range^1.5 = k F_max.
-void physical_parameters(HertzFit& hertz, const Scaled& data) {
+/// From {ln k, q} to E* and R with propagated errors: R1 + R2 = 2R = X_least + range q,
+/// 4/3 E* sqrt(R*) range^1.5 = k F_max, and R* = (R1 + R2) c/(1 + c)^2 with c = R1/R2.
+void physical_parameters(HertzFit& hertz, const Scaled& data, double ratio) {
   const double ln_k = hertz.fit.values[0], q = hertz.fit.values[1];
   const double radius = 0.5 * (data.x_least + data.range * q);
-  const double modulus = 0.75 * std::exp(ln_k) * (data.f_max / std::sqrt(0.5 * radius)) /
-                         (data.range * std::sqrt(data.range));
+  hertz.strength = 0.75 * std::exp(ln_k) * data.f_max / (data.range * std::sqrt(data.range));
+  hertz.strength_error = hertz.strength * std::sqrt(hertz.fit.covariance(0, 0));
+  const double reduced = 2 * radius * (ratio / ((1 + ratio) * (1 + ratio)));
+  const double modulus = hertz.strength / std::sqrt(reduced);
   Eigen::Matrix2d by;  // d(ln E*, R) / d(ln k, q)
   by << 1.0, -0.25 * data.range / radius, 0.0, 0.5 * data.range;
   const Eigen::Matrix2d c = by * hertz.fit.covariance * by.transpose();
@@ -152,13 +186,13 @@ Spread spread_about(double value, const std::vector<double>& values) {
   return spread;
 }
 
-std::vector<HertzSettings> all_settings(Loss loss) {
+std::vector<HertzSettings> all_settings(Loss loss, HertzWeights weights) {
   std::vector<HertzSettings> all;
   for (const HertzMethod method : {HertzMethod::force, HertzMethod::linear})
     for (const HertzPhase phase : {HertzPhase::loading, HertzPhase::all})
       for (const double least : {0.02, 0.05, 0.1, 0.2})
         for (const double greatest : {0.5, 0.75, 1.0})
-          all.push_back({method, phase, least, greatest, loss});
+          all.push_back({method, phase, least, greatest, loss, weights});
   return all;
 }
 
@@ -186,14 +220,15 @@ HertzFit fit_hertz(const HertzData& data, const HertzSettings& settings) {
         "least 3 are needed for 2 parameters. Dump more often or widen the range",
         hertz.points.size(), settings.min_force_fraction, settings.max_force_fraction,
         name(settings.phase)));
-  const Scaled scaled = scale(data, hertz.points, f_max);
+  Scaled scaled = scale(data, hertz.points, f_max);
+  scaled.error = relative_errors(data, hertz.points, settings.weights);
   if (!(scaled.range > 0)) throw InputError("Hertz fit: all points are at the same distance");
   const PointResidual residual = residual_of(scaled, settings.method);
   const std::vector<double> start = straight_line(scaled);
   hertz.fit = solve_least_squares(residual, scaled.x.size(), start,
                                   {settings.loss, loss_scale(scaled, residual, start)});
   judge(hertz);
-  physical_parameters(hertz, scaled);
+  physical_parameters(hertz, scaled, data.radius_ratio);
   hertz.rms_residual = rms_force_residual(hertz, scaled);
   return hertz;
 }
@@ -201,7 +236,7 @@ HertzFit fit_hertz(const HertzData& data, const HertzSettings& settings) {
 HertzSpread hertz_spread(const HertzData& data, const HertzFit& chosen) {
   HertzSpread spread;
   std::vector<double> moduli, radii;
-  for (const HertzSettings& settings : all_settings(chosen.settings.loss)) {
+  for (const HertzSettings& settings : all_settings(chosen.settings.loss, chosen.settings.weights)) {
     try {
       HertzFit variant = fit_hertz(data, settings);
       if (!variant.fit.usable) continue;

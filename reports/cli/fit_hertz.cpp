@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
+#include <iostream>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "reports/cli/command.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
+#include "reports/pooled.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -17,6 +19,7 @@ namespace po = boost::program_options;
 constexpr std::array<std::string_view, 2> method_names{"force", "linear"};
 constexpr std::array<std::string_view, 2> phase_names{"loading", "all"};
 constexpr std::array<std::string_view, 3> loss_names{"none", "huber", "cauchy"};
+constexpr std::array<std::string_view, 2> weight_names{"equal", "errors"};
 
 void add_options(Options& options) {
   const HertzSettings defaults;
@@ -33,7 +36,9 @@ void add_options(Options& options) {
       ("phase", po::value<std::string>()->default_value("loading")->value_name("NAME"),
        "fit the frames up to the greatest compression (loading) or all")                       //
       ("loss", po::value<std::string>()->default_value("none")->value_name("NAME"),
-       "damp outliers: none, huber or cauchy");
+       "damp outliers: none, huber or cauchy")                                                 //
+      ("weights", po::value<std::string>()->default_value("equal")->value_name("NAME"),
+       "weigh points alike (equal) or by the errors of their forces (errors)");
   add_output_options(options, true);
 }
 
@@ -42,6 +47,7 @@ HertzSettings settings(const Values& values) {
   s.method = static_cast<HertzMethod>(choice(values, "method", method_names));
   s.phase = static_cast<HertzPhase>(choice(values, "phase", phase_names));
   s.loss = static_cast<Loss>(choice(values, "loss", loss_names));
+  s.weights = static_cast<HertzWeights>(choice(values, "weights", weight_names));
   s.min_force_fraction = values["min-force-fraction"].as<double>();
   s.max_force_fraction = values["max-force-fraction"].as<double>();
   if (!(s.min_force_fraction >= 0 && s.min_force_fraction < s.max_force_fraction))
@@ -49,29 +55,116 @@ HertzSettings settings(const Values& values) {
   return s;
 }
 
-int run_command(const Values& values) {
-  check_output(values, true);
-  const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
-  const HertzSettings wanted = settings(values);
+/// What one dump gives.
+struct Told {
+  Document document;
+  Table points;
+  HertzResult hertz;
+  double atoms;  ///< of the first body
+};
+
+Told analyse(const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const ForceSource source = best_force_source(run);
   const MeasuredMotion measured = measure_motion(run, parts_for(source), {}, sweeping);
   const Radii radii = find_radii(run, options);
-  require_equal_bodies(run, measured.swept.tables[0], radii);
+  require_known_ratio(run, measured.swept.tables[0], radii);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
   const HertzResult hertz =
-      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(curve), wanted); });
+      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(curve, radii), wanted); });
 
-  Document document("fit-hertz", run);
-  document.sweep(measured.swept, run.format);
-  document.json("force_source", name(source));
-  document.line("force from", std::string(description(source)));
-  add_hertz(document, run, hertz);
-  const Table table = hertz_table(hertz, curve);
-  const int code = emit(values, document, &table);
-  return hertz.fit.fit.usable ? code : not_converged;
+  Told told{Document("fit-hertz", run), hertz_table(hertz, curve), hertz,
+            measured.swept.tables[0].column("atoms1")[0]};
+  told.document.sweep(measured.swept, run.format);
+  told.document.json("force_source", name(source));
+  told.document.line("force from", std::string(description(source)));
+  add_hertz(told.document, run, hertz);
+  return told;
+}
+
+/// Fits of several dumps: each its own, and what they say together.
+class Series {
+ public:
+  void add(const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
+    const std::string dump = options.dump.string();
+    try {
+      const Told told = analyse(options, sweeping, wanted);
+      runs_.push_back(told.document.content());
+      for (const std::string& w : told.document.warnings()) document_.warn(dump + ": " + w);
+      damaged_ = damaged_ || told.document.damaged();
+      const HertzFit& fit = told.hertz.fit;
+      add_row(told.atoms, told.hertz);
+      document_.line(dump, fit.fit.usable ? fmt::format("E_star {}, R {}", to_text(told.hertz.modulus, told.document.units()),
+                                                        to_text(told.hertz.radius, told.document.units()))
+                                          : "not usable");
+      if (!fit.fit.usable) return;
+      moduli_.push_back(told.hertz.modulus);
+      radii_.push_back(told.hertz.radius);
+    } catch (const InputError& error) {
+      runs_.push_back({{"dump", dump}, {"failure", error.what()}});
+      document_.line(dump, "failed");
+      std::cerr << fmt::format("mdana: {}: failed: {}\n", dump, error.what());
+      failed_ = true;
+    }
+  }
+
+  int emit(const Values& values) {
+    document_.json("runs", std::move(runs_));
+    document_.json("pooled_runs", moduli_.size());
+    if (!moduli_.empty()) {
+      add_pooled("E_star", pool(moduli_));
+      add_pooled("R", pool(radii_));
+    }
+    const int code = cli::emit(values, document_, &table_);
+    return failed_ ? failed : damaged_ ? damaged_input : moduli_.empty() ? not_converged : code;
+  }
+
+ private:
+  void add_row(double atoms, const HertzResult& h) {
+    table_.add_row(std::array{static_cast<double>(runs_.size() - 1), atoms, h.radius.value, *h.radius.error,
+                              h.modulus.value, *h.modulus.error, h.fit.rms_residual,
+                              h.fit.fit.usable ? 1.0 : 0.0});
+  }
+
+  void add_pooled(const std::string& name, const Pooled& pooled) {
+    document_.number(name, pooled.value,
+                     {{"within", pooled.within}, {"between", pooled.between}, {"spread", pooled.spread}});
+    document_.line(name + " of runs", fmt::format("{:.3g} within and {:.3g} between runs, spread {:.3g}",
+                                                  pooled.within, pooled.between, pooled.spread));
+  }
+
+  Document document_{"fit-hertz"};
+  nlohmann::ordered_json runs_ = nlohmann::ordered_json::array();
+  std::vector<Value> moduli_, radii_;
+  Table table_{{{"run", dimension::none},
+                {"N", dimension::none},
+                {"R", dimension::length},
+                {"R_error", dimension::length},
+                {"E_star", dimension::pressure},
+                {"E_star_error", dimension::pressure},
+                {"rms_residual", dimension::none},
+                {"usable", dimension::none}}};
+  bool failed_ = false, damaged_ = false;
+};
+
+int run_command(const Values& values) {
+  check_output(values, true);
+  RunOptions options = run_options(values);
+  const SweepOptions sweeping = sweep_options(values);
+  const HertzSettings wanted = settings(values);
+  if (!values.count("more")) {
+    const Told told = analyse(options, sweeping, wanted);
+    const int code = emit(values, told.document, &told.points);
+    return told.hertz.fit.fit.usable ? code : not_converged;
+  }
+  Series series;
+  series.add(options, sweeping, wanted);
+  for (const std::string& dump : values["more"].as<std::vector<std::string>>()) {
+    options.dump = dump;
+    series.add(options, sweeping, wanted);
+  }
+  return series.emit(values);
 }
 
 }  // namespace
@@ -79,13 +172,16 @@ int run_command(const Values& values) {
 extern const Command fit_hertz_command;
 const Command fit_hertz_command{
     "fit-hertz",
-    "DUMP",
+    "DUMP...",
     "reduced modulus E* and radius R from a Hertz fit",
-    "Fits F(X) = 4/3 E* sqrt(R/2) (2R - X)^1.5 for two equal bodies and tells what the choice of\n"
-    "method, force range and phase does to E* and R: that spread is the real error of E*, and is\n"
-    "what 'error' means in the output. The table (-o FILE.csv) has the fitted points.",
+    "Fits F(X) = 4/3 E* sqrt(R*) (R1 + R2 - X)^1.5 and tells what the choice of method, force range and\n"
+    "phase does to E* and R: that spread is the real error of E*, and is what 'error' means in the\n"
+    "output. Of unequal bodies F(X) tells E* sqrt(R*) and R1 + R2 = 2R; E* needs their ratio by --radius.\n"
+    "The table (-o FILE.csv) has the fitted points. Of several dumps, as of other orientations, each is\n"
+    "fitted, E* and R are pooled with their spread within and between runs, and the table has a run a row.",
     "  mdana fit-hertz hertz-small/dump.lammpstrj.gz\n"
     "  mdana fit-hertz hertz-small/dump.lammpstrj.gz --method linear --min-force-fraction 0.1\n"
+    "  mdana fit-hertz run-1/dump.lammpstrj.gz run-2/dump.lammpstrj.gz run-3/dump.lammpstrj.gz\n"
     "  mdana fit-hertz dump.lammpstrj --units lj --timestep 0.0078125 --json -o fit.csv",
     add_options,
     run_command};

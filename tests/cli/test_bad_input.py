@@ -218,11 +218,6 @@ class Unusable(Case):
             with self.subTest(arguments):
                 self.refused("fit-hertz", dump, *arguments, says=(dump, "frames", "at least"))
 
-    def test_unequal_bodies_have_no_common_radius(self):
-        dump = self.dump(dumps.hertz_bounce())
-        self.refused("fit-hertz", dump, "--masses", "1=1,2=1.1", says=(dump, "differ"))
-        self.refused("fit-hertz", dump, "--radius", "5,4", says=(dump, "differ"))
-
     def test_atoms_that_change_body(self):
         frames = bounce()
         for frame in frames[30:]:

@@ -20,7 +20,9 @@ OPTIONS = {
     "predict": ["--law", "--parameter", "-p", "--trajectory", "--sensitivities", "--sticking-velocity", "--peak",
                 "--tolerance", "--time-limit", "--json", "--output", "-o", "--help"],
     "stability": ["--json", "--output", "-o", "--help"],
-    "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss"],
+    "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss",
+                                "--weights"],
+    "fit-force": RUN + SWEEP + ["--law", "--free", "--parameter", "--part", "--min-delta-fraction", "--loss"],
 }
 
 WITHOUT_INPUT = ("predict", "stability")  # their examples need no dump
@@ -75,7 +77,7 @@ class Help(Case):
                         with_sample.add(command)
                     else:
                         self.assertRegex(done.stderr, "[Nn]o such|not there|missing")
-        self.assertLessEqual(set(OPTIONS) - {"fit-hertz"}, with_sample)  # the sample is adhesive: no Hertz contact
+        self.assertLessEqual(set(OPTIONS) - {"fit-hertz", "fit-force"}, with_sample)  # the sample is adhesive: no Hertz contact
 
 
 class Usage(Case):
