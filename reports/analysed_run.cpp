@@ -9,8 +9,7 @@ namespace {
 /// A Hertz scene measures its own radius, so its delta counts from there.
 void fit_and_take_radius(AnalysedRun& result, const Run& run) {
   require_equal_bodies(run, result.measured.swept.tables[0], result.radii);
-  result.hertz =
-      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve), {}); });
+  result.hertz = told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve), {}); });
   if (!result.hertz->fit.fit.usable) return;
   const double r = result.hertz->fit.radius.value;
   result.radii = {{r, r}, "Hertz fit of this run", 2 * *result.hertz->radius.error};
@@ -19,11 +18,11 @@ void fit_and_take_radius(AnalysedRun& result, const Run& run) {
 
 }  // namespace
 
-std::vector<NamedValue> AnalysedRun::numbers() const {
-  std::vector<NamedValue> all{{"F_max", curve.force_max},
-                              {"F_min_loading", curve.force_min_loading},
-                              {"delta_max", curve.delta_max},
-                              {"hysteresis_area", curve.hysteresis_area}};
+std::vector<PublishedValue> AnalysedRun::numbers() const {
+  std::vector<PublishedValue> all{{"F_max", curve.force_max},
+                                  {"F_min_loading", curve.force_min_loading},
+                                  {"delta_max", curve.delta_max},
+                                  {"hysteresis_area", curve.hysteresis_area}};
   if (contact.touch())
     for (const ContactRadiusNumbers& n : contact.definitions) {
       const std::string prefix = "contact_radius." + std::string(n.definition);
