@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "fits/named_value.hpp"
 #include "readers/dimension.hpp"
 
 namespace mdana {
@@ -118,11 +119,6 @@ std::optional<std::size_t> parameter_index(const CollisionLaw& law, std::string_
 /// What all laws have, under the names that users give: R or R1 R2, m or m1 m2 or rho, E, v. R2 and
 /// m2 are infinite for a wall.
 std::span<const CollisionParameter> impact_parameters();
-
-/// "T_vis=0.075" taken apart.
-struct NamedValue {
-  std::string name, text;
-};
 
 /// Reads and checks the parameters of a law. Throws InputError naming the parameter that is
 /// unknown, given twice, missing, not a number or out of its range.

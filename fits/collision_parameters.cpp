@@ -100,12 +100,6 @@ std::vector<double> values_of(const CollisionLaw& law,
   return values;
 }
 
-/// 1/(1/a + 1/b) without overflow; b may be infinite.
-double reduced(double a, double b) {
-  const double less = std::min(a, b), more = std::max(a, b);
-  return less / (1 + less / more);
-}
-
 /// Both of a pair, from the name for equal ones or the two names. Throws InputError.
 std::array<double, 2> both(const CollisionLaw& law, std::string_view name,
                            std::span<const double> v) {
@@ -136,6 +130,11 @@ Impact impact_of(const CollisionLaw& law, std::span<const NamedValue> given) {
 }
 
 }  // namespace
+
+double reduced(double a, double b) {
+  const double less = std::min(a, b), more = std::max(a, b);
+  return less / (1 + less / more);
+}
 
 std::span<const CollisionParameter> impact_parameters() { return impact_table; }
 

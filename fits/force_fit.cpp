@@ -16,6 +16,7 @@ namespace mdana {
 namespace {
 
 constexpr double difference_step = 1e-6;  ///< of parameters of order one: right to about 1e-10
+constexpr double wall = 100;              ///< residual of a parameter that is 1 beyond its range
 
 /// What of the data is fitted, and what the parameters mean.
 struct Problem {
@@ -115,8 +116,22 @@ double residual_at(const Problem& p, std::size_t point, std::span<const double> 
   return (p.force(frame, state(p, q)) - p.data.force[frame]) / p.scale(frame);
 }
 
+/// How far a parameter is out of its range, signed: a factor of 1000 about the guess, or 2 delta_max.
+double beyond(const std::string& name, double q) {
+  const double most = is_shift(name) ? 2 : 7;
+  return q < -most ? q + most : std::max(0.0, q - most);
+}
+
+/// Of the data, then of the ranges of the parameters.
 PointResidual residual_of(const Problem& p) {
   return [&p](std::size_t point, std::span<const double> q, double& r, std::span<double> g) {
+    if (point >= p.points.size()) {
+      const std::size_t k = point - p.points.size();
+      r = wall * beyond(p.settings.free[k], q[k]);
+      std::ranges::fill(g, 0.0);
+      if (r != 0 && !g.empty()) g[k] = wall;
+      return true;
+    }
     r = residual_at(p, point, q);
     std::vector<double> moved(q.begin(), q.end());
     for (std::size_t k = 0; k < g.size(); ++k) {
@@ -133,13 +148,13 @@ PointResidual residual_of(const Problem& p) {
 /// Of all starts the best optimum: the parameters of the law begin at their guess, and a factor away.
 Fit best_fit(const Problem& p) {
   const std::size_t n = p.settings.free.size();
-  const FitSettings solver{p.settings.loss, p.known_errors ? 1.0 : 0.01, p.known_errors, 0};
+  const FitSettings solver{p.settings.loss, p.known_errors ? 1.0 : 0.01, p.known_errors, n};
   std::optional<Fit> best;
   double least = 0;
   for (std::size_t k = 0; k <= 2 * n; ++k) {
     std::vector<double> q(n, 0.0);
     if (k > 0 && !is_shift(p.settings.free[(k - 1) / 2])) q[(k - 1) / 2] = k % 2 ? 1.5 : -1.5;
-    Fit fit = solve_least_squares(residual_of(p), p.points.size(), q, solver);
+    Fit fit = solve_least_squares(residual_of(p), p.points.size() + n, q, solver);
     double cost = 0;
     for (const double r : fit.residuals) cost += r * r;
     if (!std::isfinite(cost) || (best && !(cost < least))) continue;
@@ -175,6 +190,7 @@ void describe(ForceFit& f, const Problem& p) {
     f.model.push_back(p.force(i, s));
     squares += std::pow((f.model.back() - p.data.force[i]) / p.force_max, 2);
   }
+  f.fit.residuals.resize(p.points.size());
   for (const double x : f.fit.residuals) f.chi2 += x * x;
   f.rms_residual = std::sqrt(squares / static_cast<double>(p.points.size()));
 }
@@ -195,7 +211,14 @@ void name_weak_direction(ForceFit& f, const Problem& p) {
   f.weak_direction = describe_weak_direction(p.settings.free, svd.matrixV(), svd.singularValues());
 }
 
-void judge(ForceFit& f) {
+void judge(ForceFit& f, const Problem& p) {
+  for (std::size_t k = 0; k < p.settings.free.size(); ++k)
+    if (beyond(p.settings.free[k], f.fit.values[k]) != 0) {
+      f.fit.usable = false;
+      f.fit.reason = fmt::format("{} ran out of its range: the law does not describe these data",
+                                 p.settings.free[k]);
+      return;
+    }
   if (!f.fit.usable) {
     if (!f.weak_direction.empty()) f.fit.reason += ": " + f.weak_direction;
     return;
@@ -231,7 +254,7 @@ ForceFit fit_force(const ForceLaw& law, const ForceData& data, const ForceFitSet
   f.fit = best_fit(p);
   describe(f, p);
   name_weak_direction(f, p);
-  judge(f);
+  judge(f, p);
   return f;
 }
 

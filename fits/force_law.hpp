@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "fits/named_value.hpp"
 #include "readers/dimension.hpp"
 
 namespace mdana {
@@ -42,7 +43,8 @@ inline constexpr ContactParameter spacing{"spacing", "of the atoms; sigma0 = gam
                                           dimension::length, &ElasticContact::spacing};
 }  // namespace contact_parameter
 
-/// Force and what belongs to it as functions of delta, on loading or on unloading.
+/// Force and what belongs to it as functions of delta, on loading or on unloading; NaN for a delta
+/// that is NaN.
 struct ForceBranch {
   /// Force, repulsive > 0 [force]; zero where the law has no contact.
   double (*force)(double delta, const ElasticContact& contact) = nullptr;
@@ -79,6 +81,14 @@ const ForceLaw* find_force_law(std::string_view name);
 
 /// The branch of unloading: that of loading for a law without history.
 const ForceBranch& unloading(const ForceLaw& law);
+
+/// Name without its star, as users give it: "E" is E*. R is the radius of each of two equal spheres.
+std::string_view given_name(const ContactParameter& parameter);
+
+/// Reads and checks what the law needs: R or R1 R2 (R2 may be inf: a wall), and its other parameters.
+/// Throws InputError naming the one that is unknown, given twice, missing, not a number or out of its
+/// range.
+ElasticContact elastic_contact(const ForceLaw& law, std::span<const NamedValue> given);
 
 /// Throws InputError naming a parameter of the law that is out of its range.
 void require_parameters(const ForceLaw& law, const ElasticContact& contact);

@@ -36,14 +36,14 @@ double equilibrium_radius(double gamma) { return std::cbrt(9 * std::numbers::pi 
 }  // namespace
 
 double JkrContact::pressure(double r) const {
-  if (!(r < a)) return 0;
+  if (r >= a) return 0;
   const double y = std::sqrt((1 - r / a) * (1 + r / a));
   return 2 / std::numbers::pi * a * (y - x / (3 * y));
 }
 
 JkrContact jkr_contact(double delta, double gamma) {
   const double a0 = equilibrium_radius(gamma);
-  if (a0 == 0) return {delta > 0 ? std::sqrt(delta) : 0.0, 0};
+  if (a0 == 0) return {delta <= 0 ? 0.0 : std::sqrt(delta), 0};
   const double d = delta / (a0 * a0 / 3);
   if (detached(d)) return {};
   const double s = stable_root(d);

@@ -60,12 +60,12 @@ void add_methods(std::vector<AccuracyRow>& rows, const AnalysedRun& full, const 
 std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full,
                                        const SweepOptions& options) {
   std::vector<AccuracyRow> rows;
-  const std::vector<NamedValue> reference = full.numbers();
+  const std::vector<PublishedValue> reference = full.numbers();
   for (const std::uint64_t stride : strides) {
     const std::string setting = stride_text(stride);
     try {
       const Timed timed = timed_run(run, full.radii, full.hertz.has_value(), options, stride);
-      const std::vector<NamedValue> numbers = timed.result.numbers();
+      const std::vector<PublishedValue> numbers = timed.result.numbers();
       for (std::size_t k = 0; k < numbers.size(); ++k)
         rows.push_back({setting, numbers[k].name, numbers[k].value.value,
                         relative_error(numbers[k].value.value, reference[k].value.value),

@@ -12,18 +12,19 @@ void fit_and_take_radius(AnalysedRun& result, const Run& run) {
   result.hertz =
       told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve, result.radii), {}); });
   if (!result.hertz->fit.fit.usable) return;
-  const double r = result.hertz->fit.radius.value;
-  result.radii = {{r, r}, "Hertz fit of this run", 2 * *result.hertz->radius.error};
+  const double first = 2 * result.hertz->fit.radius.value * (result.radii.value[0] / result.radii.sum());
+  const double second = 2 * result.hertz->fit.radius.value - first;
+  result.radii = {{first, second}, "Hertz fit of this run", 2 * *result.hertz->radius.error};
   result.curve = touching_force_curve(run, result.measured.motion, result.source, result.radii);
 }
 
 }  // namespace
 
-std::vector<NamedValue> AnalysedRun::numbers() const {
-  std::vector<NamedValue> all{{"F_max", curve.force_max},
-                              {"F_min_loading", curve.force_min_loading},
-                              {"delta_max", curve.delta_max},
-                              {"hysteresis_area", curve.hysteresis_area}};
+std::vector<PublishedValue> AnalysedRun::numbers() const {
+  std::vector<PublishedValue> all{{"F_max", curve.force_max},
+                                  {"F_min_loading", curve.force_min_loading},
+                                  {"delta_max", curve.delta_max},
+                                  {"hysteresis_area", curve.hysteresis_area}};
   if (contact.touch())
     for (const ContactRadiusNumbers& n : contact.definitions) {
       const std::string prefix = "contact_radius." + std::string(n.definition);

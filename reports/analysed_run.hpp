@@ -14,7 +14,7 @@
 namespace mdana {
 
 /// A published number and its name.
-struct NamedValue {
+struct PublishedValue {
   std::string name;
   Value value;
 };
@@ -31,7 +31,7 @@ struct AnalysedRun {
   double seconds = 0;                ///< reading, analyses and fits
 
   const Table& contact_table() const { return measured.swept.tables[1]; }
-  std::vector<NamedValue> numbers() const;  ///< all published numbers
+  std::vector<PublishedValue> numbers() const;  ///< all published numbers
 };
 
 /// Force, contact radius and, for a Hertz scene, the fit, in one pass over the dump. `radii` places

@@ -21,21 +21,15 @@ Value hertz_pressure(const Value& delta, double radius) {
   return p;
 }
 
-/// Eq. 9 with a of the JKR curve: P (u - 1/(3 sqrt u)), u = a/a0, P = 2 a0/(pi R*).
-double jkr_pressure(double delta, const ForceLaw& jkr, const ElasticContact& c) {
-  const double a0 =
-      std::cbrt(9 * std::numbers::pi * c.surface_energy * c.radius * c.radius / c.modulus);
-  const double u = jkr.contact_radius(delta, c) / a0;
-  return 2 * a0 / (std::numbers::pi * c.radius) * (u - 1 / (3 * std::sqrt(u)));
-}
-
+/// P1 eq. 9 at the greatest delta, over E*.
 std::optional<Value> pressure_by_jkr(const Value& delta, const ElasticContact& contact) {
   const ForceLaw* jkr = find_force_law("jkr");
   if (!jkr || !(contact.modulus > 0) || !(contact.surface_energy > 0)) return std::nullopt;
-  Value p{jkr_pressure(delta.value, *jkr, contact), {}, dimension::none};
+  const auto centre = [&](double d) { return jkr->pressure(0, d, contact) / contact.modulus; };
+  Value p{centre(delta.value), {}, dimension::none};
   if (delta.error)
-    p.error = 0.5 * std::abs(jkr_pressure(delta.value + *delta.error, *jkr, contact) -
-                             jkr_pressure(delta.value - *delta.error, *jkr, contact));
+    p.error =
+        0.5 * std::abs(centre(delta.value + *delta.error) - centre(delta.value - *delta.error));
   return p;
 }
 

@@ -9,12 +9,12 @@ namespace mdana {
 std::vector<StabilityRow> stability_rows(const Run& run, const AnalysedRun& full,
                                          const SweepOptions& options) {
   std::vector<StabilityRow> rows;
-  for (const NamedValue& number : full.numbers()) rows.push_back({number.name, number.value.value});
+  for (const PublishedValue& number : full.numbers()) rows.push_back({number.name, number.value.value});
   for (int seed = 1; seed <= stability_repetitions; ++seed) {
     SweepOptions moved = options;
     moved.last_digit_seed = static_cast<std::uint64_t>(seed);
     const auto radii = full.hertz ? std::nullopt : std::optional(full.radii);
-    const std::vector<NamedValue> numbers = analyse_run(run, radii, moved).numbers();
+    const std::vector<PublishedValue> numbers = analyse_run(run, radii, moved).numbers();
     for (std::size_t k = 0; k < rows.size(); ++k)
       rows[k].change = std::max(rows[k].change, std::abs(numbers[k].value.value - rows[k].value));
   }

@@ -18,7 +18,7 @@ double yield_delta(const ElasticContact& c) {
 }
 
 double contact_radius(double delta, const ElasticContact& c) {
-  return delta > 0 ? std::sqrt(c.radius * delta) : 0.0;
+  return delta <= 0 ? 0.0 : std::sqrt(c.radius * delta);
 }
 
 double hertz_force(double delta, const ElasticContact& c) {
@@ -52,8 +52,8 @@ double energy(double delta, const ElasticContact& c) {
 /// P2 eqs 59, 61: 2 E*/(pi R*) sqrt(a^2 - r^2), cut off at Y.
 double pressure(double r, double delta, const ElasticContact& c) {
   const double a = contact_radius(delta, c);
-  if (!(r < a)) return 0;
-  return std::min(c.yield_strength, 2 / pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius));
+  if (r >= a) return 0;
+  return std::min(2 / pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius), c.yield_strength);
 }
 
 }  // namespace loading
@@ -63,7 +63,7 @@ namespace returning {
 /// P2 eq. 69: where the contact ends, delta_max - delta_Y, which is a_Y,max^2/R* (65).
 double least_delta(const ElasticContact& c) { return std::max(c.delta_max - yield_delta(c), 0.0); }
 
-bool apart(double delta, const ElasticContact& c) { return !(delta > least_delta(c)); }
+bool apart(double delta, const ElasticContact& c) { return delta <= least_delta(c); }
 
 double contact_radius(double delta, const ElasticContact& c) {
   return apart(delta, c) ? 0 : std::sqrt(c.radius * delta);
@@ -90,8 +90,8 @@ double energy(double delta, const ElasticContact& c) {
 
 /// P2 eqs 66, 67: within a_Y,max that of Hertz at its rim.
 double pressure(double r, double delta, const ElasticContact& c) {
-  if (apart(delta, c) || !(r < contact_radius(delta, c))) return 0;
-  const double outer = std::max(r / c.radius * r, least_delta(c));
+  if (apart(delta, c) || r >= contact_radius(delta, c)) return 0;
+  const double outer = std::max(least_delta(c), r / c.radius * r);
   return 2 / pi * c.modulus * std::sqrt(std::max(delta - outer, 0.0) / c.radius);
 }
 

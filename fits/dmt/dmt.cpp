@@ -9,7 +9,7 @@ namespace mdana {
 namespace {
 
 double contact_radius(double delta, const ElasticContact& c) {
-  return delta > 0 ? std::sqrt(c.radius * delta) : 0.0;
+  return delta <= 0 ? 0.0 : std::sqrt(c.radius * delta);
 }
 
 double pull_off_force(const ElasticContact& c) {
@@ -18,7 +18,7 @@ double pull_off_force(const ElasticContact& c) {
 
 /// F = 4/3 E* sqrt(R*) delta^1.5 - 4 pi gamma R*.
 double force(double delta, const ElasticContact& c) {
-  if (!(delta >= 0)) return 0;
+  if (delta < 0) return 0;
   return 4.0 / 3.0 * c.modulus * contact_radius(delta, c) * delta - pull_off_force(c);
 }
 
@@ -30,7 +30,7 @@ double stiffness(double delta, const ElasticContact& c) {
 
 /// Since touch: the law does not tell how far the attraction reaches.
 double energy(double delta, const ElasticContact& c) {
-  if (!(delta > 0)) return 0;
+  if (delta <= 0) return 0;
   return 8.0 / 15.0 * c.modulus * contact_radius(delta, c) * delta * delta -
          pull_off_force(c) * delta;
 }
@@ -38,7 +38,7 @@ double energy(double delta, const ElasticContact& c) {
 /// That of Hertz: the attraction acts outside the contact.
 double pressure(double r, double delta, const ElasticContact& c) {
   const double a = contact_radius(delta, c);
-  return r < a ? 2 / std::numbers::pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius) : 0;
+  return r >= a ? 0 : 2 / std::numbers::pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius);
 }
 
 constexpr std::array parameters{contact_parameter::radius, contact_parameter::modulus,

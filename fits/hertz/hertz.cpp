@@ -9,11 +9,11 @@ namespace mdana {
 namespace {
 
 double contact_radius(double delta, const ElasticContact& c) {
-  return delta > 0 ? std::sqrt(c.radius * delta) : 0.0;
+  return delta <= 0 ? 0.0 : std::sqrt(c.radius * delta);
 }
 
 double force(double delta, const ElasticContact& c) {
-  return delta > 0 ? 4.0 / 3.0 * c.modulus * std::sqrt(c.radius * delta) * delta : 0.0;
+  return delta <= 0 ? 0.0 : 4.0 / 3.0 * c.modulus * std::sqrt(c.radius * delta) * delta;
 }
 
 double least_delta(const ElasticContact&) { return 0; }
@@ -28,7 +28,7 @@ double energy(double delta, const ElasticContact& c) { return 0.4 * force(delta,
 /// 2 E*/(pi R*) sqrt(a^2 - r^2), P1 eq. 4 at r = 0.
 double pressure(double r, double delta, const ElasticContact& c) {
   const double a = contact_radius(delta, c);
-  return r < a ? 2 / std::numbers::pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius) : 0;
+  return r >= a ? 0 : 2 / std::numbers::pi * c.modulus * (std::sqrt((a - r) * (a + r)) / c.radius);
 }
 
 constexpr std::array parameters{contact_parameter::radius, contact_parameter::modulus};

@@ -141,6 +141,7 @@ struct Radii {
 };
 
 Radii radii(const Curve& curve, double delta) {
+  if (std::isnan(delta)) return {delta, delta, delta};
   if (!curve.adhesive() || std::isinf(delta / (curve.a1() * curve.a1()))) {
     const double a = delta > 0 ? std::sqrt(delta) : 0;
     return {a, a, 0};
@@ -203,8 +204,8 @@ double pressure(double r, double delta, const ElasticContact& contact) {
   const Curve curve(contact);
   const auto [a, c, t] = radii(curve, delta / contact.radius);
   const double x = r / contact.radius;
-  if (!(x < c)) return 0;
-  if (!(x < a)) return -contact.modulus * curve.stress();
+  if (x >= c) return 0;
+  if (x >= a) return -contact.modulus * curve.stress();
   const double y = std::sqrt((1 - x / a) * (1 + x / a));
   const double cohesion = t > 0 ? 2 / pi * curve.stress() * std::atan2(t, y) : 0;
   return contact.modulus * (2 / pi * a * y - cohesion);

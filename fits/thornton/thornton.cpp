@@ -112,7 +112,7 @@ double energy(double delta, const ElasticContact& c) {
 }
 
 double pressure(double r, double delta, const ElasticContact& c) {
-  return c.modulus * std::min(Yielding(c).p, jkr_contact(delta, c).pressure(r / c.radius));
+  return c.modulus * std::min(jkr_contact(delta, c).pressure(r / c.radius), Yielding(c).p);
 }
 
 }  // namespace loading

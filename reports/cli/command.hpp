@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <boost/program_options.hpp>
 
 #include "analyses/table.hpp"
+#include "fits/named_value.hpp"
 #include "reports/document.hpp"
 #include "reports/run.hpp"
 
@@ -55,6 +58,16 @@ void add_dump_options(Options& options);
 void add_run_options(Options& options);
 /// Throws UsageError at a value that cannot be understood.
 RunOptions run_options(const Values& values);
+
+/// -p NAME=VALUE ... of a law. Throws UsageError at one without its sign.
+std::vector<NamedValue> parameters_option(const Values& values);
+
+/// Parts of "FIRST:LAST:COUNT"; `expected` is what a UsageError says. COUNT is 2 to 1000000.
+std::array<std::string_view, 3> three_parts(std::string_view text, std::string_view expected);
+double finite_number(std::string_view text, std::string_view expected);
+std::size_t count_number(std::string_view text, std::string_view expected);
+/// So many values at equal distances, the ends included.
+std::vector<double> evenly(double first, double last, std::size_t count);
 
 /// --frames, --stride and --strict, which every command that reads all frames has, and the choice.
 void add_frame_options(Options& options);

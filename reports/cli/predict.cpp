@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -32,38 +31,17 @@ const CollisionLaw& law_option(const Values& values) {
   throw UsageError(fmt::format("--law {}: one of{} expected", text, names));
 }
 
-double number(std::string_view text, const std::string& whole) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    throw UsageError(fmt::format("-p v={}: a velocity or FIRST:LAST:COUNT is expected", whole));
-  return value;
-}
-
-/// "0.04:0.5:24": 24 values, the ends included; "0.1": one.
+/// "0.04:0.5:24": 24 values, the ends included; empty if it is one velocity.
 std::vector<double> velocities_of(const std::string& text) {
-  const std::size_t first = text.find(':');
-  if (first == std::string::npos) return {};
-  const std::size_t second = text.find(':', first + 1);
-  if (second == std::string::npos) number("", text);
-  const std::string_view view(text);
-  const double low = number(view.substr(0, first), text);
-  const double high = number(view.substr(first + 1, second - first - 1), text);
-  const double count = number(view.substr(second + 1), text);
-  if (!(count >= 2 && count <= 1e6 && count == std::floor(count)) || !(low > 0 && high > low))
-    throw UsageError(
-        fmt::format("-p v={}: 0 < FIRST < LAST and a COUNT of 2 to 1000000 are needed", text));
-  std::vector<double> all;
-  for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * (k / (count - 1)));
-  all.back() = high;
-  return all;
-}
-
-NamedValue named_value(const std::string& text) {
-  const std::size_t sign = text.find('=');
-  if (sign == 0 || sign == std::string::npos)
-    throw UsageError(fmt::format("-p {}: NAME=VALUE is expected", text));
-  return {text.substr(0, sign), text.substr(sign + 1)};
+  if (text.find(':') == std::string::npos) return {};
+  const std::string expected = fmt::format(
+      "-p v={}: a velocity, or FIRST:LAST:COUNT with 0 < FIRST < LAST and a COUNT of 2 to 1000000, is "
+      "expected",
+      text);
+  const auto [first, last, count] = three_parts(text, expected);
+  const double low = finite_number(first, expected), high = finite_number(last, expected);
+  if (!(low > 0 && high > low)) throw UsageError(expected);
+  return evenly(low, high, count_number(count, expected));
 }
 
 bool searching(const Values& values) {
@@ -82,10 +60,7 @@ CollisionSettings settings_of(const Values& values) {
 }
 
 Wanted wanted_of(const Values& values) {
-  Wanted w{&law_option(values), {}, {}, false, settings_of(values)};
-  if (values.count("parameter"))
-    for (const std::string& text : values["parameter"].as<std::vector<std::string>>())
-      w.given.push_back(named_value(text));
+  Wanted w{&law_option(values), parameters_option(values), {}, false, settings_of(values)};
   bool velocity = false;
   for (NamedValue& g : w.given) {
     if (g.name != "v") continue;

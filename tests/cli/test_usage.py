@@ -19,13 +19,14 @@ OPTIONS = {
     "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "predict": ["--law", "--parameter", "-p", "--trajectory", "--sensitivities", "--sticking-velocity", "--peak",
                 "--tolerance", "--time-limit", "--json", "--output", "-o", "--help"],
+    "law": ["--law", "--parameter", "-p", "--delta", "--profile", "--delta-max", "--json", "--output", "-o", "--help"],
     "stability": ["--json", "--output", "-o", "--help"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss",
                                 "--weights"],
     "fit-force": RUN + SWEEP + ["--law", "--free", "--parameter", "--part", "--min-delta-fraction", "--loss"],
 }
 
-WITHOUT_INPUT = ("predict", "stability")  # their examples need no dump
+WITHOUT_INPUT = ("law", "predict", "stability")  # their examples need no dump
 
 
 def examples(text):
