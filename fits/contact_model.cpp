@@ -95,17 +95,15 @@ std::string ContactModel::Target::name() const {
 ContactModel::ContactModel(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                            const ContactFitSettings& settings)
     : law_(law), seen_(seen), free_(settings.free) {
-  if (free_.empty())
-    throw InputError(fmt::format("law {}: no parameter is free, so there is nothing to fit", law.name));
   if (seen.empty()) throw InputError("there are no collisions to fit");
   collision_settings_.tolerance = settings.tolerance;
   std::vector<NamedNumber> constants = settings.constants;
   for (const FreeParameter& f : free_) constants.push_back({f.name, f.start.value_or(0.5)});
   for (const ObservedCollision& s : seen) {
-    inputs_.push_back(input_of(law, s, constants));
     for (const FreeParameter& f : free_)
       if (s.find(f.name))
         throw InputError(fmt::format("{}: {} is given, so it cannot be free", s.place, f.name));
+    inputs_.push_back(input_of(law, s, constants));
   }
   for (const FreeParameter& f : free_)
     if (!find(law, inputs_.front(), f.name))
@@ -131,6 +129,17 @@ void ContactModel::add_targets(const ContactFitSettings& settings) {
   }
 }
 
+/// The error of a sticking collision that has none of its own: the median of the others.
+double ContactModel::usual_error() const {
+  std::vector<double> errors;
+  for (const ObservedCollision& s : seen_)
+    if (!s.stuck && s.e.error > 0) errors.push_back(s.e.error);
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<long>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
 void ContactModel::add_terms() {
   const auto add = [&](std::size_t i, Quantity quantity, const Measured& m, bool stuck) {
     if (!m.known() && !stuck) return;
@@ -139,7 +148,9 @@ void ContactModel::add_terms() {
     terms_.push_back({i, quantity, stuck ? 0 : m.value, error ? m.error : 0, stuck});
   };
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    add(i, Quantity::e_squared, seen_[i].e, seen_[i].stuck);
+    Measured e = seen_[i].e;
+    if (seen_[i].stuck && !(e.error > 0)) e.error = usual_error();
+    add(i, Quantity::e_squared, e, seen_[i].stuck);
     add(i, Quantity::delta_max, seen_[i].delta_max, false);
     add(i, Quantity::t_max, seen_[i].t_max, false);
   }
@@ -186,6 +197,14 @@ std::vector<Unknown> ContactModel::unknowns() const {
     unknowns.push_back(std::move(u));
   }
   return unknowns;
+}
+
+bool ContactModel::only_sticking() const { return std::ranges::all_of(terms_, &Term::stuck); }
+
+void ContactModel::set_tolerance(double tolerance) {
+  if (tolerance == collision_settings_.tolerance) return;
+  collision_settings_.tolerance = tolerance;
+  predictions_.assign(seen_.size(), {});
 }
 
 std::optional<std::size_t> ContactModel::target_of(std::size_t seen, std::size_t free) const {
@@ -267,6 +286,11 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
   if (!p.resolved) failure_ = c.reason;
   if (p.resolved && derivatives) differentiate(c, in, seen, p);
   return p;
+}
+
+double ContactModel::predicted(std::size_t k, const Eigen::VectorXd& ln) const {
+  const Prediction& p = predict(terms_[k].seen, ln, false);
+  return p.resolved ? p.values[static_cast<std::size_t>(terms_[k].quantity)] : Collision::unknown;
 }
 
 bool ContactModel::residual(std::size_t k, const Eigen::VectorXd& ln, double& r,

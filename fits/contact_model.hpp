@@ -16,6 +16,8 @@ namespace mdana {
 /// What a law says of collisions that were seen, as residuals that depend on the logarithms of the
 /// free parameters.
 class ContactModel {
+  using Quantity = SeenQuantity;
+
  public:
   /// A free parameter, or that of one group.
   struct Target {
@@ -25,8 +27,8 @@ class ContactModel {
     std::string name() const;      ///< "C" or "C(R=58.9)"
   };
 
-  /// Throws InputError if an observation lacks a parameter, a free one is not the law's, or nothing
-  /// is free.
+  /// Throws InputError if an observation lacks a parameter, or a free one is not the law's. Nothing
+  /// free: only predicts.
   ContactModel(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                const ContactFitSettings& settings);
 
@@ -36,7 +38,14 @@ class ContactModel {
 
   std::size_t residuals() const { return terms_.size(); }
   std::size_t seen_of(std::size_t residual) const { return terms_[residual].seen; }
+  Quantity quantity_of(std::size_t residual) const { return terms_[residual].quantity; }
   bool known_errors() const { return known_errors_; }
+  bool only_sticking() const;  ///< no number was seen, only that spheres stick
+
+  void set_tolerance(double tolerance);  ///< wanted error of e in each collision
+
+  /// What the law says of a residual's quantity; NaN if the collision is unresolved.
+  double predicted(std::size_t k, const Eigen::VectorXd& ln) const;
 
   /// One residual, and its derivatives by the logarithms, if they are wanted. False if the collision
   /// is unresolved.
@@ -49,7 +58,6 @@ class ContactModel {
   const std::string& failure() const { return failure_; }  ///< why one was last unresolved
 
  private:
-  enum class Quantity { e_squared, delta_max, t_max };
   struct Term {
     std::size_t seen;
     Quantity quantity;
@@ -65,6 +73,7 @@ class ContactModel {
   };
 
   void add_targets(const ContactFitSettings& settings);
+  double usual_error() const;
   void add_terms();
   void add_scales();
   std::optional<std::size_t> target_of(std::size_t seen, std::size_t free) const;

@@ -44,6 +44,8 @@ struct FitSettings {
   /// unless the residuals are greater than they say.
   bool known_errors = false;
   std::size_t undamped = 0;  ///< the last so many points are no data (priors, bounds): no loss
+  double precision = 1e-16;  ///< relative change of the cost that ends the search
+  int iterations = 200;      ///< at most
 };
 
 /// Least squares by Ceres (Levenberg-Marquardt, dense QR). Parameters and residuals must be

@@ -38,7 +38,7 @@ using Values = boost::program_options::variables_map;
 /// `extern const Command <name>_command`. Help is printed from this table.
 struct Command {
   std::string_view name;
-  std::string_view positional;  ///< "DUMP"
+  std::string_view positional;  ///< "DUMP"; "TABLE...": one or more, "input" is a list of texts
   std::string_view summary;
   std::string_view description;
   std::string_view examples;    ///< one command line a line

@@ -49,9 +49,13 @@ const Command* find(std::string_view name) {
 Values parse(const Command& command, int argc, char** argv) {
   Options visible = all_options(command);
   Options all;
-  all.add(visible).add_options()("input", po::value<std::string>());
+  const bool several = command.positional.ends_with("...");
+  if (several)
+    all.add(visible).add_options()("input", po::value<std::vector<std::string>>());
+  else
+    all.add(visible).add_options()("input", po::value<std::string>());
   po::positional_options_description positional;
-  positional.add("input", 1);
+  positional.add("input", several ? -1 : 1);
   Values values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
   return values;
