@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -17,8 +18,9 @@ namespace mdana {
 namespace {
 
 constexpr double same = 1e-4;         ///< minima whose ln parameters differ by less are one
-constexpr double nearly_same = 0.02;  ///< the same of rough ones
-constexpr double hopeless = 1e3;      ///< a rough cost so many times the best is not refined
+constexpr double nearly_same = 0.02;  ///< the same of soft ones
+constexpr double hopeless = 10;       ///< a soft cost so many times the best is not worth more work
+constexpr std::size_t candidates_per_start = 4;
 constexpr double least_known = 1.0;   ///< greatest standard error of a ln parameter that is determined
 
 /// The distinct optima of some, best first.
@@ -38,23 +40,83 @@ std::vector<ContactOptimum> distinct(std::vector<ContactOptimum> all, double dif
   return optima;
 }
 
-/// Rough searches from all starts, then exact ones from where those ended that are not hopeless.
-std::vector<ContactOptimum> search(ContactProblem& problem, const ContactFitSettings& settings) {
-  std::vector<ContactOptimum> all;
-  for (int k = 0; k < std::max(1, settings.starts); ++k)
-    all.push_back(problem.solve(problem.coordinates().start(static_cast<std::size_t>(k)), rough));
-  all = distinct(std::move(all), nearly_same);
-  const double scale = all.empty() ? 0 : all.front().cost;
-  const auto worth = [&](const ContactOptimum& o) {
-    return o.cost <= hopeless * (scale + static_cast<double>(problem.model().residuals()));
-  };
-  for (ContactOptimum& o : all) {
-    if (&o != &all.front() && !worth(o)) continue;
-    const int starts = o.starts;
-    o = problem.solve(std::move(o.fit.values), {settings.tolerance, 1e-16, 200});
-    o.starts = starts;
+/// Some of these, evenly out of their order.
+void take(std::vector<std::size_t>& chosen, std::span<const std::size_t> from, std::size_t count) {
+  constexpr double golden = 0.6180339887498949;
+  std::set<std::size_t> taken;
+  for (double x = 0.5; taken.size() < std::min(count, from.size()); x += golden, x -= std::floor(x))
+    taken.insert(from[static_cast<std::size_t>(x * static_cast<double>(from.size()))]);
+  chosen.insert(chosen.end(), taken.begin(), taken.end());
+}
+
+/// Some of the residuals, enough to find the valley: more of bounces, which tell more.
+std::vector<std::size_t> sample(const ContactModel& model, std::span<const ObservedCollision> seen) {
+  std::vector<std::size_t> bouncing, sticking, chosen;
+  for (std::size_t k = 0; k < model.residuals(); ++k)
+    (seen[model.seen_of(k)].stuck ? sticking : bouncing).push_back(k);
+  const std::size_t p = model.targets().size();
+  take(chosen, bouncing, std::max(2 * p + 4, bouncing.size() / 4));
+  take(chosen, sticking, std::max(p + 1, sticking.size() / 4));
+  return chosen;
+}
+
+/// The given start or the middle, and the best of candidates spread over the ranges.
+std::vector<std::vector<double>> starts(ContactProblem& problem, std::size_t count,
+                                        std::span<const std::size_t> points) {
+  std::vector<std::pair<double, std::vector<double>>> candidates;
+  for (std::size_t k = 1; k < candidates_per_start * count && count > 1; ++k) {
+    std::vector<double> q = problem.coordinates().start(k);
+    candidates.emplace_back(problem.cost(problem.coordinates().logarithms(q), soft, points), std::move(q));
   }
-  return distinct(std::move(all), same);
+  std::ranges::stable_sort(candidates, {}, [](const auto& c) { return c.first; });
+  std::vector<std::vector<double>> all{problem.coordinates().start(0)};
+  for (std::size_t k = 0; k < candidates.size() && all.size() < count; ++k)
+    all.push_back(std::move(candidates[k].second));
+  return all;
+}
+
+/// Whether the cost, soft and of some of the data, only falls on the straight line from one place to
+/// another: then the first lies in the other's valley.
+bool leads_to(ContactProblem& problem, const ContactOptimum& from, const ContactOptimum& to,
+              std::span<const std::size_t> points) {
+  double last = problem.cost(from.ln, soft, points);
+  for (const double part : {0.15, 0.4, 0.7, 1.0}) {
+    std::vector<double> q;
+    for (std::size_t k = 0; k < from.fit.values.size(); ++k)
+      q.push_back((1 - part) * from.fit.values[k] + part * to.fit.values[k]);
+    const double cost = problem.cost(problem.coordinates().logarithms(q), soft, points);
+    if (!(cost <= last)) return false;
+    last = cost;
+  }
+  return true;
+}
+
+/// Soft searches from all starts with some of the data, then exact ones from where those ended, if that
+/// is neither hopeless nor in the valley of an optimum that is known.
+std::vector<ContactOptimum> search(ContactProblem& problem, std::span<const ObservedCollision> seen,
+                                   int wanted) {
+  const std::vector<std::size_t> points = sample(problem.model(), seen);
+  std::vector<ContactOptimum> ends, optima;
+  for (std::vector<double>& q : starts(problem, static_cast<std::size_t>(std::max(1, wanted)), points))
+    ends.push_back(problem.solve(std::move(q), soft, {{}, points}));
+  ends = distinct(std::move(ends), nearly_same);
+  const auto n = static_cast<double>(points.size());
+  const double worth = ends.empty() ? 0 : hopeless * ends.front().cost + n / 4;
+  for (ContactOptimum& end : ends) {
+    const auto known = std::ranges::find_if(
+        optima, [&](const ContactOptimum& o) { return leads_to(problem, end, o, points); });
+    if (known != optima.end()) {
+      known->starts += end.starts;
+      continue;
+    }
+    const int count = end.starts;
+    if (end.cost <= worth)
+      optima.push_back(problem.solve(std::move(end.fit.values), exact));
+    else
+      optima.push_back({end.fit, end.ln, problem.cost(end.ln, exact), count});
+    optima.back().starts = count;
+  }
+  return distinct(std::move(optima), same);
 }
 
 std::vector<double> plain(const Eigen::VectorXd& ln) {
@@ -117,12 +179,13 @@ std::string doubt(const ContactFit& result, const ContactProblem& problem, const
   return {};
 }
 
-void fit_all(ContactFit& result, ContactProblem& problem, const ContactFitSettings& settings) {
+void fit_all(ContactFit& result, ContactProblem& problem, std::span<const ObservedCollision> seen,
+             const ContactFitSettings& settings) {
   if (problem.model().only_sticking()) {
     result.reason = "every collision sticks: that bounds the parameters, but determines none";
     return;
   }
-  const std::vector<ContactOptimum> optima = search(problem, settings);
+  const std::vector<ContactOptimum> optima = search(problem, seen, settings.starts);
   if (optima.empty()) {
     result.reason = "no start led to an optimum: " + problem.model().failure();
     return;
@@ -149,7 +212,7 @@ ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollisio
   ContactProblem problem(law, seen, settings);
   ContactFit result;
   result.known_errors = problem.model().known_errors();
-  fit_all(result, problem, settings);
+  fit_all(result, problem, seen, settings);
   result.usable = result.reason.empty();
   result.collisions = problem.model().collisions();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -40,7 +40,6 @@ struct ContactFitSettings {
   std::vector<NamedNumber> constants;  ///< parameters that neither the data give nor the fit finds
   Loss loss = Loss::none;              ///< scale: one standard error
   int starts = 8;                      ///< the first is the given or the middle one
-  double tolerance = 1e-9;             ///< of e in each collision
   IntervalSettings intervals;
 };
 

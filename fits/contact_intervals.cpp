@@ -21,7 +21,7 @@ class Profile {
     const auto k = static_cast<Eigen::Index>(parameter);
     sigma_ = std::sqrt(covariance(k, k));
     direction_ = covariance.col(k) / covariance(k, k);
-    base_ = parameter_count() == 1 ? problem.cost(best.ln, rough.collision)
+    base_ = parameter_count() == 1 ? problem.cost(best.ln, rough)
                                    : problem.solve_fixed(best.ln, parameter, rough).cost;
   }
 

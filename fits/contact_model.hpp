@@ -43,13 +43,20 @@ class ContactModel {
   bool only_sticking() const;  ///< no number was seen, only that spheres stick
 
   void set_tolerance(double tolerance);  ///< wanted error of e in each collision
+  /// Errors count as at least that part of what is seen, of e^2 of 1. The valleys of a cost whose errors
+  /// are small, of sticking collisions above all, are narrow: a search begins with soft ones.
+  void set_least_error(double least) { least_error_ = least; }
 
   /// What the law says of a residual's quantity; NaN if the collision is unresolved.
   double predicted(std::size_t k, const Eigen::VectorXd& ln) const;
 
   /// One residual, and its derivatives by the logarithms, if they are wanted. False if the collision
-  /// is unresolved.
+  /// is unresolved. Derivatives are computed with the value if that is cheap: they are mostly asked for
+  /// next.
   bool residual(std::size_t k, const Eigen::VectorXd& ln, double& r, Eigen::VectorXd* by_ln) const;
+
+  /// The residual alone; NaN if the collision is unresolved.
+  double residual(std::size_t k, const Eigen::VectorXd& ln) const;
 
   /// d residual/d ln parameter of all; rows of unresolved collisions are 0.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& ln) const;
@@ -72,13 +79,17 @@ class ContactModel {
     Eigen::VectorXd by_ln[3];
   };
 
+  /// if_cheap: where the law has them itself.
+  enum class Derivatives { none, if_cheap, all };
+
+  double scale_of(const Term& term) const;
   void add_targets(const ContactFitSettings& settings);
   double usual_error() const;
   void add_terms();
   void add_scales();
   std::optional<std::size_t> target_of(std::size_t seen, std::size_t free) const;
   CollisionInput input(std::size_t seen, const Eigen::VectorXd& ln) const;
-  const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, bool derivatives) const;
+  const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, Derivatives wanted) const;
   void difference(std::size_t seen, Prediction& prediction) const;
   void differentiate(const Collision& collision, const CollisionInput& input, std::size_t seen,
                      Prediction& prediction) const;
@@ -91,6 +102,7 @@ class ContactModel {
   std::vector<CollisionInput> inputs_;  ///< one an observation, with any value of what is free
   std::vector<Term> terms_;
   bool known_errors_ = true;
+  double least_error_ = 0;
   CollisionScales scales_;
   mutable std::vector<Prediction> predictions_;
   mutable long collisions_ = 0;

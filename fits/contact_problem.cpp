@@ -10,7 +10,8 @@
 namespace mdana {
 namespace {
 
-constexpr double wall = 100;  ///< residual of a q that is 1 beyond its range
+constexpr double wall = 100;    ///< residual of a q that is 1 beyond its range
+constexpr double outside = 0.5; ///< a trial step farther beyond is not even looked at
 
 /// All residuals of one search: of the data, of priors, and those that keep q within its range.
 class Residuals {
@@ -40,7 +41,7 @@ class Residuals {
 
   bool operator()(std::size_t point, std::span<const double> q, double& r, std::span<double> g) const {
     const Eigen::VectorXd ln = logarithms(q);
-    if (!ln.allFinite()) return false;
+    if (!ln.allFinite() || !(coordinates_.beyond(q).cwiseAbs().maxCoeff() <= outside)) return false;
     Eigen::VectorXd by_ln;
     bool defined = true;
     if (point < points_.size())
@@ -131,18 +132,23 @@ ContactProblem::ContactProblem(const CollisionLaw& law, std::span<const Observed
       priors_(priors_of(model_, settings)),
       loss_(settings.loss) {}
 
+void ContactProblem::set(const ContactPrecision& precision) {
+  model_.set_tolerance(precision.collision);
+  model_.set_least_error(precision.least_error);
+}
+
 ContactOptimum ContactProblem::solve(std::vector<double> q, const ContactPrecision& precision,
                                      const ContactPart& part) {
-  model_.set_tolerance(precision.collision);
+  set(precision);
   const Residuals residuals(model_, coordinates_, priors_, part, 0);
   return search(residuals, std::move(q),
                 {loss_, 1, model_.known_errors(), residuals.undamped(), precision.solver,
-                 precision.iterations});
+                 std::sqrt(precision.solver), precision.iterations});
 }
 
 ContactOptimum ContactProblem::solve_fixed(const Eigen::VectorXd& ln, std::size_t fixed,
                                            const ContactPrecision& precision) {
-  model_.set_tolerance(precision.collision);
+  set(precision);
   std::vector<Unknown> others = model_.unknowns();
   std::vector<double> q;
   others.erase(others.begin() + static_cast<long>(fixed));
@@ -156,26 +162,25 @@ ContactOptimum ContactProblem::solve_fixed(const Eigen::VectorXd& ln, std::size_
     u.greatest = u.bounded ? u.greatest : std::max(u.greatest, u.start * 10);
   }
   const double fixed_ln = ln[static_cast<Eigen::Index>(fixed)];
-  if (others.empty()) return {{}, ln, cost(ln, precision.collision), 1};
+  if (others.empty()) return {{}, ln, cost(ln, precision), 1};
   const FitCoordinates logarithms(std::move(others), model_.scales());
   const Residuals residuals(model_, logarithms, priors_, {fixed, {}}, fixed_ln);
   return search(residuals, std::move(q),
                 {loss_, 1, model_.known_errors(), residuals.undamped(), precision.solver,
-                 precision.iterations});
+                 std::sqrt(precision.solver), precision.iterations});
 }
 
-double ContactProblem::cost(const Eigen::VectorXd& ln, double tolerance) {
-  model_.set_tolerance(tolerance);
-  double sum = 0, r = 0;
-  for (std::size_t k = 0; k < model_.residuals(); ++k) {
-    if (!model_.residual(k, ln, r, nullptr)) return std::numeric_limits<double>::infinity();
-    sum += damped(r, loss_);
-  }
+double ContactProblem::cost(const Eigen::VectorXd& ln, const ContactPrecision& precision,
+                            std::span<const std::size_t> points) {
+  set(precision);
+  double sum = 0;
+  const std::size_t n = points.empty() ? model_.residuals() : points.size();
+  for (std::size_t k = 0; k < n; ++k) sum += damped(model_.residual(points.empty() ? k : points[k], ln), loss_);
   for (const auto& [parameter, known] : priors_) {
-    r = (std::exp(ln[static_cast<Eigen::Index>(parameter)]) - known.value) / known.error;
+    const double r = (std::exp(ln[static_cast<Eigen::Index>(parameter)]) - known.value) / known.error;
     sum += r * r;
   }
-  return sum;
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace mdana

@@ -15,12 +15,17 @@ namespace mdana {
 /// How well a contact fit is solved.
 struct ContactPrecision {
   double collision = 1e-9;  ///< wanted error of e in each collision
-  double solver = 1e-16;    ///< relative change of the cost that ends the search
+  double solver = 1e-16;    ///< relative change of the cost that ends the search; of the parameters its root
   int iterations = 200;
+  double least_error = 0;   ///< see ContactModel
 };
 
-/// For what a search is only a part: a start, a profile, a draw.
-constexpr ContactPrecision rough{1e-6, 1e-6, 40};
+constexpr ContactPrecision exact{1e-9, 1e-16, 60, 0};
+/// To find the valley.
+constexpr ContactPrecision soft{1e-7, 1e-4, 15, 0.1};
+/// For what a search is only a part: a profile, a draw. Looser collisions are hardly cheaper, and in
+/// stiff ones dearer.
+constexpr ContactPrecision rough{1e-8, 1e-6, 40, 0};
 
 /// Where a search ended.
 struct ContactOptimum {
@@ -57,9 +62,12 @@ class ContactProblem {
                              const ContactPrecision& precision);
 
   /// Sum of squared residuals at the parameters, damped by the loss; infinite if one is unresolved.
-  double cost(const Eigen::VectorXd& ln, double tolerance);
+  double cost(const Eigen::VectorXd& ln, const ContactPrecision& precision,
+              std::span<const std::size_t> points = {});
 
  private:
+  void set(const ContactPrecision& precision);
+
   ContactModel model_;
   FitCoordinates coordinates_;
   std::vector<std::pair<std::size_t, Measured>> priors_;  ///< of which parameter

@@ -66,7 +66,7 @@ ceres::Solver::Options solver_options(const FitSettings& settings) {
   options.max_num_iterations = settings.iterations;
   options.function_tolerance = settings.precision;
   options.gradient_tolerance = 1e-16;
-  options.parameter_tolerance = 1e-15;
+  options.parameter_tolerance = settings.step;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   return options;
