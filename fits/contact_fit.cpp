@@ -110,11 +110,15 @@ std::vector<ContactOptimum> search(ContactProblem& problem, std::span<const Obse
       continue;
     }
     const int count = end.starts;
-    if (end.cost <= worth)
-      optima.push_back(problem.solve(std::move(end.fit.values), exact));
-    else
-      optima.push_back({end.fit, end.ln, problem.cost(end.ln, exact), count});
-    optima.back().starts = count;
+    if (end.cost <= worth) {
+      end = problem.solve(std::move(end.fit.values), rough);
+      if (optima.empty() || end.cost <= hopeless * (optima.front().cost + n))
+        end = problem.solve(std::move(end.fit.values), exact);
+    } else {
+      end.cost = problem.cost(end.ln, exact);
+    }
+    end.starts = count;
+    optima.push_back(std::move(end));
   }
   return distinct(std::move(optima), same);
 }
@@ -190,6 +194,7 @@ void fit_all(ContactFit& result, ContactProblem& problem, std::span<const Observ
     result.reason = "no start led to an optimum: " + problem.model().failure();
     return;
   }
+  problem.set(exact);
   const ContactOptimum& best = optima.front();
   for (const ContactOptimum& o : optima) result.minima.push_back({plain(o.ln), o.cost, o.starts});
   describe(result, problem, best);

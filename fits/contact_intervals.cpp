@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace mdana {
@@ -115,6 +116,40 @@ std::vector<std::size_t> draw(const ContactFit& fit, std::mt19937_64& random) {
   return drawn;
 }
 
+/// Where the drawn residuals would have their least sum of squares if they were linear.
+class LinearDraw {
+ public:
+  LinearDraw(const ContactFit& fit, ContactProblem& problem, const ContactOptimum& best)
+      : q_(best.fit.values) {
+    problem.set(rough);
+    jacobian_ = problem.model().jacobian(best.ln) * problem.coordinates().derivatives(q_);
+    for (const FittedPoint& p : fit.points) residuals_.push_back(p.residual);
+  }
+
+  /// The optimum itself if the step is large: of outliers or too few points.
+  std::vector<double> start(std::span<const std::size_t> drawn) const {
+    constexpr double longest = 0.5;
+    const auto rows = static_cast<Eigen::Index>(drawn.size());
+    Eigen::MatrixXd j(rows, jacobian_.cols());
+    Eigen::VectorXd r(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const std::size_t k = drawn[static_cast<std::size_t>(i)];
+      j.row(i) = jacobian_.row(static_cast<Eigen::Index>(k));
+      r[i] = residuals_[k];
+    }
+    const Eigen::VectorXd step = -j.colPivHouseholderQr().solve(r);
+    std::vector<double> q = q_;
+    if (!step.allFinite() || !(step.cwiseAbs().maxCoeff() < longest)) return q;
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] += step[static_cast<Eigen::Index>(k)];
+    return q;
+  }
+
+ private:
+  std::vector<double> q_;
+  Eigen::MatrixXd jacobian_;
+  std::vector<double> residuals_;
+};
+
 /// The quantile q of sorted values.
 double quantile(const std::vector<double>& sorted, double q) {
   const double at = q * static_cast<double>(sorted.size() - 1);
@@ -126,9 +161,12 @@ double quantile(const std::vector<double>& sorted, double q) {
 void add_bootstrap(ContactFit& fit, ContactProblem& problem, const ContactOptimum& best,
                    const IntervalSettings& settings) {
   std::mt19937_64 random(settings.seed);
+  const LinearDraw linear(fit, problem, best);
   std::vector<std::vector<double>> found(fit.parameters.size());
   for (std::size_t i = 0; i < settings.draws; ++i) {
-    const ContactOptimum o = problem.solve(best.fit.values, rough, {{}, draw(fit, random)});
+    std::vector<std::size_t> drawn = draw(fit, random);
+    std::vector<double> start = linear.start(drawn);
+    const ContactOptimum o = problem.solve(std::move(start), rough, {{}, std::move(drawn)});
     if (!std::isfinite(o.cost) || !o.ln.allFinite()) continue;
     ++fit.draws;
     for (std::size_t k = 0; k < found.size(); ++k)

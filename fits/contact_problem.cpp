@@ -143,7 +143,7 @@ ContactOptimum ContactProblem::solve(std::vector<double> q, const ContactPrecisi
   const Residuals residuals(model_, coordinates_, priors_, part, 0);
   return search(residuals, std::move(q),
                 {loss_, 1, model_.known_errors(), residuals.undamped(), precision.solver,
-                 std::sqrt(precision.solver), precision.iterations});
+                 std::min(1e-3, std::sqrt(precision.solver)), precision.iterations});
 }
 
 ContactOptimum ContactProblem::solve_fixed(const Eigen::VectorXd& ln, std::size_t fixed,
@@ -167,7 +167,7 @@ ContactOptimum ContactProblem::solve_fixed(const Eigen::VectorXd& ln, std::size_
   const Residuals residuals(model_, logarithms, priors_, {fixed, {}}, fixed_ln);
   return search(residuals, std::move(q),
                 {loss_, 1, model_.known_errors(), residuals.undamped(), precision.solver,
-                 std::sqrt(precision.solver), precision.iterations});
+                 std::min(1e-3, std::sqrt(precision.solver)), precision.iterations});
 }
 
 double ContactProblem::cost(const Eigen::VectorXd& ln, const ContactPrecision& precision,

@@ -15,7 +15,7 @@ namespace mdana {
 /// How well a contact fit is solved.
 struct ContactPrecision {
   double collision = 1e-9;  ///< wanted error of e in each collision
-  double solver = 1e-16;    ///< relative change of the cost that ends the search; of the parameters its root
+  double solver = 1e-16;    ///< relative change of the cost that ends the search; of the parameters its root, 1e-3 at most
   int iterations = 200;
   double least_error = 0;   ///< see ContactModel
 };
@@ -25,7 +25,7 @@ constexpr ContactPrecision exact{1e-9, 1e-16, 60, 0};
 constexpr ContactPrecision soft{1e-7, 1e-4, 15, 0.1};
 /// For what a search is only a part: a profile, a draw. Looser collisions are hardly cheaper, and in
 /// stiff ones dearer.
-constexpr ContactPrecision rough{1e-8, 1e-6, 40, 0};
+constexpr ContactPrecision rough{1e-8, 1e-4, 20, 0};
 
 /// Where a search ended.
 struct ContactOptimum {
@@ -53,6 +53,9 @@ class ContactProblem {
   bool has_priors() const { return !priors_.empty(); }
   std::size_t parameters() const { return model_.targets().size(); }
 
+  /// What the model is computed with from now on.
+  void set(const ContactPrecision& precision);
+
   /// From coordinates q.
   ContactOptimum solve(std::vector<double> q, const ContactPrecision& precision,
                        const ContactPart& part = {});
@@ -66,8 +69,6 @@ class ContactProblem {
               std::span<const std::size_t> points = {});
 
  private:
-  void set(const ContactPrecision& precision);
-
   ContactModel model_;
   FitCoordinates coordinates_;
   std::vector<std::pair<std::size_t, Measured>> priors_;  ///< of which parameter

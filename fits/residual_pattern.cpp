@@ -11,7 +11,7 @@ namespace mdana {
 namespace {
 
 constexpr std::size_t most_values = 64;  ///< of R or v: more are no groups
-constexpr double stands_out = 1.5;       ///< rms of a group over that of all
+constexpr double stands_out = 3;         ///< standard errors by which a group's mean square must be above all
 
 struct Sum {
   double square = 0, plain = 0;
@@ -36,7 +36,8 @@ std::string worst_group(std::string_view name, std::span<const ObservedCollision
   if (groups.size() < 2 || groups.size() > most_values) return {};
   const auto worst = std::ranges::max_element(groups, {}, [](const auto& g) { return g.second.rms(); });
   const Sum& s = worst->second;
-  if (!(s.rms() > stands_out * all.rms())) return {};
+  const double excess = s.rms() * s.rms() / (all.rms() * all.rms()) - 1;
+  if (!(excess > stands_out * std::sqrt(2.0 / s.count))) return {};
   const bool one_sided = std::abs(s.mean()) > 0.7 * s.rms();
   return fmt::format("largest at {} = {:g}: rms {:.3g}{}; all: {:.3g}", name, worst->first, s.rms(),
                      !one_sided ? "" : s.mean() > 0 ? ", the fit is too high" : ", the fit is too low", all.rms());
