@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,12 +27,28 @@ struct FreeParameter {
 /// The parameters that are usually fitted: T_vis; C, B, zeta; D, alpha, beta; gamma; E, Y.
 std::vector<FreeParameter> usual_free_parameters(const CollisionLaw& law);
 
+/// Intervals that do not take the model for linear.
+struct IntervalSettings {
+  bool profile = false;    ///< where the cost, least over the other parameters, has risen by the quantile
+  std::size_t draws = 0;   ///< fits to observations drawn anew from those seen; 0: no bootstrap
+  std::uint64_t seed = 1;  ///< of the draws
+  double level = 0.682689492137086;  ///< probability; by default that of one standard error
+};
+
 struct ContactFitSettings {
   std::vector<FreeParameter> free;
   std::vector<NamedNumber> constants;  ///< parameters that neither the data give nor the fit finds
   Loss loss = Loss::none;              ///< scale: one standard error
   int starts = 8;                      ///< the first is the given or the middle one
-  double tolerance = 1e-9;             ///< of e in each collision
+  IntervalSettings intervals;
+};
+
+/// Ends of an interval; NaN where there is none.
+struct Interval {
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+
+  bool known() const { return low == low || high == high; }
 };
 
 /// A parameter that was found.
@@ -39,6 +57,19 @@ struct Estimate {
   std::optional<double> radius;  ///< of the group that it holds for, if there is one for each R
   double value = 0;
   double error = 0;              ///< standard error
+  Interval profile = {}, bootstrap = {};  ///< if wanted
+
+  std::string full_name() const;  ///< "C" or "C(R=58.9)"
+};
+
+enum class SeenQuantity { e_squared, delta_max, t_max };
+
+/// What the fitted law says of one number that was seen.
+struct FittedPoint {
+  std::size_t seen = 0;        ///< index of the observation
+  SeenQuantity quantity = SeenQuantity::e_squared;
+  double predicted = 0;
+  double residual = 0;
 };
 
 /// Where some of the starts ended.
@@ -49,8 +80,8 @@ struct ContactMinimum {
 };
 
 /// A law's parameters from collisions that were seen. Residuals are (e^2 - e_seen^2)/(2 max(e, s) s),
-/// s the standard error of e, continued below e = 0 where the law predicts sticking and 0 there if
-/// sticking was seen; (delta_max - seen)/s and (t_max - seen)/s. Without standard errors those of e^2
+/// s the standard error of e (of sticking collisions without one: the median), continued below e = 0
+/// where the law predicts sticking and 0 there if sticking was seen; (delta_max - seen)/s and (t_max - seen)/s. Without standard errors those of e^2
 /// count as 1, the others as the numbers themselves.
 struct ContactFit {
   std::vector<Estimate> parameters;
@@ -58,14 +89,15 @@ struct ContactFit {
   std::vector<double> singular_values;  ///< of d residual/d ln parameter, largest first
   std::string weak_direction;           ///< what the data determine least, in words
   std::vector<ContactMinimum> minima;   ///< distinct ones, best first
-  std::vector<double> residuals;        ///< of the data, in their order
-  std::vector<std::size_t> seen;        ///< which observation each residual is of
+  std::vector<FittedPoint> points;      ///< one a residual, in the order of the data
   bool known_errors = false;            ///< every observation has a standard error
   double chi2 = 0;                      ///< sum of squares of the residuals
   double aic = 0, bic = 0;              ///< Akaike's and Schwarz's; of the residuals' variance if errors are unknown
   double digits = 0;                    ///< correct digits of the optimum
   long collisions = 0;                  ///< that were solved
   double seconds = 0;
+  std::size_t draws = 0;                ///< of the bootstrap that led to an optimum
+  std::vector<std::string> notes;       ///< what intervals could not tell
   bool usable = false;
   std::string reason;                   ///< why it is not usable, or empty
 };

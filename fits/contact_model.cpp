@@ -46,8 +46,8 @@ Eigen::Index column(const CollisionLaw& law, std::string_view name) {
 /// only where starts are drawn from.
 std::pair<double, double> usual_range(std::string_view name, const CollisionScales& s) {
   const double energy = s.mass * s.velocity * s.velocity / 2;
-  if (name == "T_vis" || name == "T_crack" || name == "T") return {1e-5 * s.time, s.time};
-  if (name == "C") return {1e-6 * s.time / s.radius, s.time / s.radius};
+  if (name == "T_vis" || name == "T_crack" || name == "T") return {1e-4 * s.time, s.time};
+  if (name == "C") return {1e-5 * s.time / s.radius, s.time / s.radius};
   if (name == "B") return {0.1 / s.pressure, 4 / s.pressure};
   if (name == "zeta" || name == "alpha" || name == "beta") return {0.5, 6};
   if (name == "D") return {1e-3 * s.force, 10 * s.force};
@@ -95,17 +95,14 @@ std::string ContactModel::Target::name() const {
 ContactModel::ContactModel(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                            const ContactFitSettings& settings)
     : law_(law), seen_(seen), free_(settings.free) {
-  if (free_.empty())
-    throw InputError(fmt::format("law {}: no parameter is free, so there is nothing to fit", law.name));
   if (seen.empty()) throw InputError("there are no collisions to fit");
-  collision_settings_.tolerance = settings.tolerance;
   std::vector<NamedNumber> constants = settings.constants;
   for (const FreeParameter& f : free_) constants.push_back({f.name, f.start.value_or(0.5)});
   for (const ObservedCollision& s : seen) {
-    inputs_.push_back(input_of(law, s, constants));
     for (const FreeParameter& f : free_)
       if (s.find(f.name))
         throw InputError(fmt::format("{}: {} is given, so it cannot be free", s.place, f.name));
+    inputs_.push_back(input_of(law, s, constants));
   }
   for (const FreeParameter& f : free_)
     if (!find(law, inputs_.front(), f.name))
@@ -131,6 +128,17 @@ void ContactModel::add_targets(const ContactFitSettings& settings) {
   }
 }
 
+/// The error of a sticking collision that has none of its own: the median of the others.
+double ContactModel::usual_error() const {
+  std::vector<double> errors;
+  for (const ObservedCollision& s : seen_)
+    if (!s.stuck && s.e.error > 0) errors.push_back(s.e.error);
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<long>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
 void ContactModel::add_terms() {
   const auto add = [&](std::size_t i, Quantity quantity, const Measured& m, bool stuck) {
     if (!m.known() && !stuck) return;
@@ -139,7 +147,9 @@ void ContactModel::add_terms() {
     terms_.push_back({i, quantity, stuck ? 0 : m.value, error ? m.error : 0, stuck});
   };
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    add(i, Quantity::e_squared, seen_[i].e, seen_[i].stuck);
+    Measured e = seen_[i].e;
+    if (seen_[i].stuck && !(e.error > 0)) e.error = usual_error();
+    add(i, Quantity::e_squared, e, seen_[i].stuck);
     add(i, Quantity::delta_max, seen_[i].delta_max, false);
     add(i, Quantity::t_max, seen_[i].t_max, false);
   }
@@ -177,8 +187,8 @@ std::vector<Unknown> ContactModel::unknowns() const {
   for (const Target& target : targets_) {
     const FreeParameter& f = free_[target.free];
     const auto [least, greatest] = usual_range(target.parameter, scales_);
-    Unknown u{target.name(), f.least.value_or(std::min(least, f.start.value_or(least) / 10)),
-              f.greatest.value_or(std::max(greatest, f.start.value_or(greatest) * 10)),
+    Unknown u{target.name(), f.least.value_or(std::min(least, f.start ? *f.start / 10 : least)),
+              f.greatest.value_or(std::max(greatest, f.start ? *f.start * 10 : greatest)),
               f.start.value_or(0), f.least || f.greatest};
     if (!(u.least > 0 && u.least < u.greatest && std::isfinite(u.greatest)))
       throw InputError(fmt::format("{}: bounds {:g} to {:g}: 0 < least < greatest is needed",
@@ -186,6 +196,14 @@ std::vector<Unknown> ContactModel::unknowns() const {
     unknowns.push_back(std::move(u));
   }
   return unknowns;
+}
+
+bool ContactModel::only_sticking() const { return std::ranges::all_of(terms_, &Term::stuck); }
+
+void ContactModel::set_tolerance(double tolerance) {
+  if (tolerance == collision_settings_.tolerance) return;
+  collision_settings_.tolerance = tolerance;
+  predictions_.assign(seen_.size(), {});
 }
 
 std::optional<std::size_t> ContactModel::target_of(std::size_t seen, std::size_t free) const {
@@ -245,14 +263,14 @@ void ContactModel::differentiate(const Collision& c, const CollisionInput& in, s
 }
 
 const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Eigen::VectorXd& ln,
-                                                      bool derivatives) const {
+                                                      Derivatives wanted) const {
   Prediction& p = predictions_[seen];
-  if (p.ln.size() == ln.size() && p.ln == ln && (p.with_derivatives || !derivatives)) return p;
+  const bool needed = wanted == Derivatives::all;
+  if (p.ln.size() == ln.size() && p.ln == ln && (p.with_derivatives || !needed)) return p;
   p.ln = ln;
-  p.with_derivatives = derivatives;
   const CollisionInput in = input(seen, ln);
   CollisionSettings settings = collision_settings_;
-  settings.sensitivities = derivatives;
+  settings.sensitivities = wanted != Derivatives::none;
   Collision c;
   try {
     c = collide(law_, in, settings);
@@ -265,23 +283,41 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
   p.values[2] = c.t_max;
   p.resolved = c.outcome != CollisionOutcome::unresolved;
   if (!p.resolved) failure_ = c.reason;
-  if (p.resolved && derivatives) differentiate(c, in, seen, p);
+  p.with_derivatives = needed || c.sensitivities.has_value();
+  if (p.resolved && p.with_derivatives) differentiate(c, in, seen, p);
   return p;
+}
+
+double ContactModel::predicted(std::size_t k, const Eigen::VectorXd& ln) const {
+  const Prediction& p = predict(terms_[k].seen, ln, Derivatives::none);
+  return p.resolved ? p.values[static_cast<std::size_t>(terms_[k].quantity)] : Collision::unknown;
+}
+
+/// What one unit of a residual is in its quantity.
+double ContactModel::scale_of(const Term& t) const {
+  return std::max(t.error, least_error_ * (t.quantity == Quantity::e_squared ? 1 : t.value));
 }
 
 bool ContactModel::residual(std::size_t k, const Eigen::VectorXd& ln, double& r,
                             Eigen::VectorXd* by_ln) const {
   const Term& t = terms_[k];
-  const Prediction& p = predict(t.seen, ln, by_ln != nullptr);
+  const Prediction& p = predict(t.seen, ln, by_ln ? Derivatives::all : Derivatives::if_cheap);
   const auto q = static_cast<std::size_t>(t.quantity);
   const double value = p.values[q];
   if (!p.resolved || !std::isfinite(value)) return false;
   const bool satisfied = t.stuck && value <= 0;
-  r = satisfied ? 0 : (value - t.value) / t.error;
+  const double scale = scale_of(t);
+  r = satisfied ? 0 : (value - t.value) / scale;
   if (by_ln && !p.by_ln[q].allFinite()) return false;
   if (by_ln)
-    *by_ln = satisfied ? Eigen::VectorXd::Zero(ln.size()) : Eigen::VectorXd(p.by_ln[q] / t.error);
+    *by_ln = satisfied ? Eigen::VectorXd::Zero(ln.size()) : Eigen::VectorXd(p.by_ln[q] / scale);
   return true;
+}
+
+double ContactModel::residual(std::size_t k, const Eigen::VectorXd& ln) const {
+  const Term& t = terms_[k];
+  const double value = predicted(k, ln);
+  return t.stuck && value <= 0 ? 0 : (value - t.value) / scale_of(t);
 }
 
 Eigen::MatrixXd ContactModel::jacobian(const Eigen::VectorXd& ln) const {

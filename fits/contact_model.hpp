@@ -16,6 +16,8 @@ namespace mdana {
 /// What a law says of collisions that were seen, as residuals that depend on the logarithms of the
 /// free parameters.
 class ContactModel {
+  using Quantity = SeenQuantity;
+
  public:
   /// A free parameter, or that of one group.
   struct Target {
@@ -25,8 +27,8 @@ class ContactModel {
     std::string name() const;      ///< "C" or "C(R=58.9)"
   };
 
-  /// Throws InputError if an observation lacks a parameter, a free one is not the law's, or nothing
-  /// is free.
+  /// Throws InputError if an observation lacks a parameter, or a free one is not the law's. Nothing
+  /// free: only predicts.
   ContactModel(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                const ContactFitSettings& settings);
 
@@ -36,11 +38,25 @@ class ContactModel {
 
   std::size_t residuals() const { return terms_.size(); }
   std::size_t seen_of(std::size_t residual) const { return terms_[residual].seen; }
+  Quantity quantity_of(std::size_t residual) const { return terms_[residual].quantity; }
   bool known_errors() const { return known_errors_; }
+  bool only_sticking() const;  ///< no number was seen, only that spheres stick
+
+  void set_tolerance(double tolerance);  ///< wanted error of e in each collision
+  /// Errors count as at least that part of what is seen, of e^2 of 1. The valleys of a cost whose errors
+  /// are small, of sticking collisions above all, are narrow: a search begins with soft ones.
+  void set_least_error(double least) { least_error_ = least; }
+
+  /// What the law says of a residual's quantity; NaN if the collision is unresolved.
+  double predicted(std::size_t k, const Eigen::VectorXd& ln) const;
 
   /// One residual, and its derivatives by the logarithms, if they are wanted. False if the collision
-  /// is unresolved.
+  /// is unresolved. Derivatives are computed with the value if that is cheap: they are mostly asked for
+  /// next.
   bool residual(std::size_t k, const Eigen::VectorXd& ln, double& r, Eigen::VectorXd* by_ln) const;
+
+  /// The residual alone; NaN if the collision is unresolved.
+  double residual(std::size_t k, const Eigen::VectorXd& ln) const;
 
   /// d residual/d ln parameter of all; rows of unresolved collisions are 0.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& ln) const;
@@ -49,7 +65,6 @@ class ContactModel {
   const std::string& failure() const { return failure_; }  ///< why one was last unresolved
 
  private:
-  enum class Quantity { e_squared, delta_max, t_max };
   struct Term {
     std::size_t seen;
     Quantity quantity;
@@ -64,12 +79,17 @@ class ContactModel {
     Eigen::VectorXd by_ln[3];
   };
 
+  /// if_cheap: where the law has them itself.
+  enum class Derivatives { none, if_cheap, all };
+
+  double scale_of(const Term& term) const;
   void add_targets(const ContactFitSettings& settings);
+  double usual_error() const;
   void add_terms();
   void add_scales();
   std::optional<std::size_t> target_of(std::size_t seen, std::size_t free) const;
   CollisionInput input(std::size_t seen, const Eigen::VectorXd& ln) const;
-  const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, bool derivatives) const;
+  const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, Derivatives wanted) const;
   void difference(std::size_t seen, Prediction& prediction) const;
   void differentiate(const Collision& collision, const CollisionInput& input, std::size_t seen,
                      Prediction& prediction) const;
@@ -82,6 +102,7 @@ class ContactModel {
   std::vector<CollisionInput> inputs_;  ///< one an observation, with any value of what is free
   std::vector<Term> terms_;
   bool known_errors_ = true;
+  double least_error_ = 0;
   CollisionScales scales_;
   mutable std::vector<Prediction> predictions_;
   mutable long collisions_ = 0;

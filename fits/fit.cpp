@@ -59,14 +59,14 @@ std::unique_ptr<ceres::LossFunction> make_loss(const FitSettings& settings) {
   return nullptr;
 }
 
-ceres::Solver::Options solver_options() {
+ceres::Solver::Options solver_options(const FitSettings& settings) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.minimizer_type = ceres::TRUST_REGION;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-16;
+  options.max_num_iterations = settings.iterations;
+  options.function_tolerance = settings.precision;
   options.gradient_tolerance = 1e-16;
-  options.parameter_tolerance = 1e-15;
+  options.parameter_tolerance = settings.step;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   return options;
@@ -164,7 +164,7 @@ Fit solve_least_squares(const PointResidual& residual, std::size_t points,
           i < damped ? loss.get() : nullptr,
           fit.values.data());
     ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(), &problem, &summary);
+    ceres::Solve(solver_options(settings), &problem, &summary);
     fit.iterations = static_cast<int>(summary.iterations.size());
   }
   assess(fit, linearise(residual, points, damped, fit.values, loss.get()), settings.known_errors);

@@ -44,6 +44,9 @@ struct FitSettings {
   /// unless the residuals are greater than they say.
   bool known_errors = false;
   std::size_t undamped = 0;  ///< the last so many points are no data (priors, bounds): no loss
+  double precision = 1e-16;  ///< relative change of the cost that ends the search
+  double step = 1e-15;       ///< relative change of the parameters that ends it
+  int iterations = 200;      ///< at most
 };
 
 /// Least squares by Ceres (Levenberg-Marquardt, dense QR). Parameters and residuals must be

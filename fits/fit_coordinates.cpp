@@ -42,6 +42,7 @@ void FitCoordinates::stress_ranges() {
   // Where exp(z) changes the time by little or by much; B alone would span far more.
   const double start = ln_z(B.start, zeta.start);
   ranges_[1] = {std::min(-4.0, start), std::max(3.0, start), start};
+  ranges_[2].margin = 0.3;
 }
 
 void FitCoordinates::power_ranges() {
@@ -52,8 +53,10 @@ void FitCoordinates::power_ranges() {
   const double start =
       unknowns_[0].start > 0 ? ranges_[0].start + alpha * ln_v + beta * ln_a : ln_force - 1.5;
   ranges_[0] = {std::min(ln_force - 6, start), std::max(ln_force + 2, start), start};
-  for (std::size_t k = 1; k < 3; ++k)
+  for (std::size_t k = 1; k < 3; ++k) {
     for (double* x : {&ranges_[k].least, &ranges_[k].greatest, &ranges_[k].start}) *x = std::exp(*x);
+    ranges_[k].margin = std::min(0.4, 0.8 * ranges_[k].least);  // powers stay > 0
+  }
 }
 
 std::vector<double> FitCoordinates::start(std::size_t k) const {
@@ -95,7 +98,6 @@ Eigen::MatrixXd FitCoordinates::derivatives(std::span<const double> q) const {
 }
 
 Eigen::VectorXd FitCoordinates::beyond(std::span<const double> q) const {
-  constexpr double margin = 2;
   const auto out = [](double x, double least, double greatest) {
     return x < least ? x - least : std::max(0.0, x - greatest);
   };
@@ -105,7 +107,7 @@ Eigen::VectorXd FitCoordinates::beyond(std::span<const double> q) const {
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const Unknown& u = unknowns_[i];
-    beyond[k] = out(q[i], ranges_[i].least - margin, ranges_[i].greatest + margin);
+    beyond[k] = out(q[i], ranges_[i].least - ranges_[i].margin, ranges_[i].greatest + ranges_[i].margin);
     if (u.bounded) beyond[n + k] = out(ln[k], std::log(u.least), std::log(u.greatest));
   }
   return beyond;

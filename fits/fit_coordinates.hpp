@@ -49,13 +49,14 @@ class FitCoordinates {
   Eigen::MatrixXd derivatives(std::span<const double> q) const;
 
   /// How far q and the logarithms of bounded unknowns are out of their ranges, signed; 0 within. What
-  /// is not bounded may leave by a factor of about seven. First size() values, then size() more.
+  /// is not bounded may leave by a factor of about seven, powers by less. First size() values, then size() more.
   Eigen::VectorXd beyond(std::span<const double> q) const;
 
  private:
   enum class Kind { logarithms, stress, power };
   struct Range {
     double least, greatest, start;
+    double margin = 2;
   };
   void stress_ranges();
   void power_ranges();

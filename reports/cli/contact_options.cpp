@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/cli/contact_options.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::array<std::string_view, 3> loss_names{"none", "huber", "cauchy"};
+
+std::vector<NamedNumber> constants_of(const Values& values) {
+  std::vector<NamedNumber> constants;
+  if (!values.count("parameter")) return constants;
+  for (const std::string& text : values["parameter"].as<std::vector<std::string>>()) {
+    const NamedValue named = named_value("-p", text);
+    for (const NamedNumber& other : constants)
+      if (other.name == named.name) throw UsageError(fmt::format("-p {}: {} is given twice", text, named.name));
+    constants.push_back({named.name, number_option("-p", text, named.text)});
+  }
+  return constants;
+}
+
+}  // namespace
+
+NamedValue named_value(const std::string& option, const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == 0 || sign == std::string::npos)
+    throw UsageError(fmt::format("{} {}: NAME=VALUE is expected", option, text));
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+double number_option(const std::string& option, const std::string& whole, std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    throw UsageError(fmt::format("{} {}: '{}' is not a finite number", option, whole, text));
+  return value;
+}
+
+void add_contact_fit_options(Options& options) {
+  options.add_options()                                                                          //
+      ("parameter,p", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
+       "a parameter that no column gives, the same for all collisions")                          //
+      ("table2", po::bool_switch(),
+       "take m and E by R, gamma 3.17, nu 0.25 and spacing 1.091 from Yoshida, Kokubo & Tanaka "
+       "(2024), Table II, in units lj, where they are not given")                                //
+      ("loss", po::value<std::string>()->default_value("none")->value_name("NAME"),
+       "damp outliers: none, huber or cauchy")                                                   //
+      ("starts", po::value<int>()->default_value(8)->value_name("N"),
+       "where searches begin: the start or the middle of the bounds, then spread over them")     //
+      ("json", po::bool_switch(), "print one JSON document on the standard output")              //
+      ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
+}
+
+Observations observations_option(const Values& values, std::span<const std::string> free) {
+  std::vector<std::string> names{values["input"].as<std::string>()};
+  if (values.count("more"))
+    for (const std::string& name : values["more"].as<std::vector<std::string>>()) names.push_back(name);
+  Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()));
+  if (!values["table2"].as<bool>()) return all;
+  std::vector<std::string> leave(free.begin(), free.end());
+  for (const NamedNumber& n : constants_of(values)) leave.push_back(n.name);
+  fill_from_lj_particles(all, leave);
+  return all;
+}
+
+ContactFitSettings contact_settings(const Values& values) {
+  ContactFitSettings s;
+  s.constants = constants_of(values);
+  s.loss = static_cast<Loss>(choice(values, "loss", loss_names));
+  s.starts = values["starts"].as<int>();
+  if (s.starts < 1 || s.starts > 1000) throw UsageError("--starts must be 1 to 1000");
+  return s;
+}
+
+std::vector<FreeParameter> free_by_default(const CollisionLaw& law, const Observations& observations,
+                                           const ContactFitSettings& settings) {
+  std::vector<FreeParameter> free = usual_free_parameters(law);
+  std::erase_if(free, [&](const FreeParameter& f) {
+    return observations.given(f.name) ||
+           std::ranges::find(settings.constants, f.name, &NamedNumber::name) != settings.constants.end();
+  });
+  return free;
+}
+
+void add_inputs(Document& document, const Observations& observations) {
+  for (const auto& file : observations.files) document.input(file.record, file.format);
+}
+
+}  // namespace mdana::cli

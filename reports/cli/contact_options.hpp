@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fits/contact_fit.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/observations.hpp"
+
+namespace mdana::cli {
+
+/// "T_vis=0.075" of -p and --start. Throws UsageError.
+NamedValue named_value(const std::string& option, const std::string& text);
+
+/// A finite number in the text of an option. Throws UsageError with the whole text.
+double number_option(const std::string& option, const std::string& whole, std::string_view text);
+
+/// Options of every command that fits collision laws to tables: -p, --table2, --loss, --starts, --json, -o.
+void add_contact_fit_options(Options& options);
+
+/// The tables, with what --table2 knows; `free` stays free.
+Observations observations_option(const Values& values, std::span<const std::string> free);
+
+/// Constants, loss and starts; nothing is free yet.
+ContactFitSettings contact_settings(const Values& values);
+
+/// The parameters that are usually fitted and are not given.
+std::vector<FreeParameter> free_by_default(const CollisionLaw& law, const Observations& observations,
+                                           const ContactFitSettings& settings);
+
+/// The inputs of the tables.
+void add_inputs(Document& document, const Observations& observations);
+
+}  // namespace mdana::cli

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/observations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "fits/lj_particles.hpp"
+#include "readers/byte_source.hpp"
+#include "readers/input_error.hpp"
+#ifdef MDANA_WITH_HDF5
+#include "readers/hdf5.hpp"
+#endif
+
+namespace mdana {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr double same_radius = 0.005;  ///< relative: the paper itself has 88.2 for 88.4
+
+struct Content {
+  std::string text;
+  InputRecord record;
+};
+
+Content read_whole(const std::filesystem::path& path) {
+  const auto source = open_bytes(path);
+  Content content;
+  std::vector<char> piece(std::size_t{1} << 16);
+  for (std::size_t n = piece.size(); n == piece.size();) {
+    n = source->read(piece);
+    content.text.append(piece.data(), n);
+    if (content.text.size() > most_bytes)
+      throw InputError(fmt::format("{}: larger than {} MB: that is no table of collisions", path.string(),
+                                   most_bytes >> 20));
+  }
+  if (const std::string damage = source->damage(); !damage.empty())
+    throw InputError(fmt::format("{}: {}", path.string(), damage));
+  content.record = source->record();
+  return content;
+}
+
+/// The JSON document in an HDF5 file of mdana.
+std::string hdf5_document(const std::filesystem::path& path) {
+#ifdef MDANA_WITH_HDF5
+  const hdf5::Group file = hdf5::open_file(path);
+  if (!file.has_dataset("document"))
+    throw InputError(fmt::format("{}: no results of mdana: it has no dataset 'document'", path.string()));
+  const std::vector<std::string> texts = file.dataset("document").read_texts({});
+  return texts.empty() ? std::string() : texts.front();
+#else
+  throw InputError(fmt::format("{}: this build does not read HDF5; give the JSON document instead", path.string()));
+#endif
+}
+
+bool is_hdf5(std::string_view text) { return text.starts_with("\x89HDF\r\n\x1a\n"); }
+
+bool is_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
+void read_file(const std::filesystem::path& path, Observations& all) {
+  Content content = read_whole(path);
+  const bool hdf5 = is_hdf5(content.text);
+  if (hdf5) content.text = hdf5_document(path);
+  const bool document = hdf5 || is_json(content.text);
+  if (document) {
+    all.seen.push_back(parse_collision_document(content.text, path.string()));
+  } else {
+    for (ObservedCollision& c : parse_collision_table(content.text, path.string()))
+      all.seen.push_back(std::move(c));
+  }
+  all.files.push_back({content.record, document ? "collision" : "table"});
+}
+
+/// What was seen with and what without an error; sticking collisions need none.
+struct Errors {
+  const ObservedCollision* with = nullptr;
+  const ObservedCollision* without = nullptr;
+  std::string_view what;
+};
+
+Errors errors_of(std::span<const ObservedCollision> seen) {
+  Errors errors;
+  for (const ObservedCollision& s : seen)
+    for (const auto& [name, m] : {std::pair{"e", &s.e}, {"delta_max", &s.delta_max}, {"t_max", &s.t_max}}) {
+      if (!m->known() || (s.stuck && m == &s.e)) continue;
+      if (m->error > 0)
+        errors.with = errors.with ? errors.with : &s;
+      else if (!errors.without)
+        errors.without = &s, errors.what = name;
+    }
+  return errors;
+}
+
+}  // namespace
+
+bool Observations::given(std::string_view name) const {
+  return std::ranges::any_of(seen, [&](const ObservedCollision& s) { return s.find(name).has_value(); });
+}
+
+Observations read_observations(std::span<const std::filesystem::path> files) {
+  Observations all;
+  for (const auto& path : files) read_file(path, all);
+  const Errors errors = errors_of(all.seen);
+  if (errors.with && errors.without)
+    throw InputError(fmt::format("{}: {} has no standard error, but others have one ({}); give all or none",
+                                 errors.without->place, errors.what, errors.with->place));
+  all.known_errors = !errors.without;
+  return all;
+}
+
+void fill_from_lj_particles(Observations& observations, std::span<const std::string> leave) {
+  for (ObservedCollision& s : observations.seen) {
+    const auto radius = s.find("R");
+    if (!radius) throw InputError(fmt::format("{}: Table II is by R, which is not given", s.place));
+    const auto particle = std::ranges::find_if(lj_particles, [&](const LjParticle& p) {
+      return std::abs(p.radius - *radius) <= same_radius * p.radius;
+    });
+    if (particle == lj_particles.end())
+      throw InputError(fmt::format("{}: R = {:g} is not in Table II (29.6, 58.9, 88.4, 147, 294)", s.place, *radius));
+    for (const auto& [name, value] :
+         {std::pair{"m", particle->atoms}, {"E", particle->modulus}, {"gamma", lj_surface_energy},
+          {"nu", lj_poisson_ratio}, {"spacing", lj_spacing}})
+      if (!s.find(name) && std::ranges::find(leave, name) == leave.end()) s.given.push_back({name, value});
+  }
+}
+
+}  // namespace mdana
