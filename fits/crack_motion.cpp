@@ -54,6 +54,7 @@ class CrackCollision {
 
   bool go_on();
   void observe(const Stepper& stepper);
+  void record(const Full& y);
   bool settled(const Full& y);
   void turn(Full& y);
   bool reach_end_of_branch(Full& y);
@@ -100,6 +101,7 @@ Stepper::States CrackCollision::scale_of(double w0) {
 }
 
 ContactMotion CrackCollision::run() {
+  record(integration_.stepper.y());
   for (int segments = 0; segments < 10000 && go_on(); ++segments) {
   }
   if (motion_.outcome == CollisionOutcome::unresolved && motion_.reason.empty())
@@ -130,11 +132,12 @@ void CrackCollision::observe(const Stepper& stepper) {
   const double residual =
       std::abs(energy_ + end[4] - first_energy_) / std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
   motion_.residual = std::max(motion_.residual, residual);
-  if (!settings_.trajectory) return;
-  for (int i = 0; i < Stepper::stages; ++i) {
-    const Full y = stepper.stage(i);
+  for (int i = 0; i < Stepper::stages; ++i) record(stepper.stage(i));
+}
+
+void CrackCollision::record(const Full& y) {
+  if (settings_.trajectory)
     motion_.trajectory.push_back({y[3], system_.d(y.data()), y[0], y[1], system_.force(y.data())});
-  }
 }
 
 /// Near equilibrium with no speed to speak of: a contact that only creeps.

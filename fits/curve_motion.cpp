@@ -115,6 +115,7 @@ class CurveCollision {
   }
 
   ContactMotion run() {
+    record(integration_.stepper.y());
     while (go_on()) {
     }
     motion_.evaluations = integration_.stepper.evaluations();
@@ -150,11 +151,12 @@ class CurveCollision {
     energy_ = System::energy(end.data());
     motion_.residual = std::max(motion_.residual, std::abs(energy_ + end[3] - first_energy_) /
                                                       std::max(1.0, 0.5 * w0_ * w0_));
-    if (!settings_.trajectory) return;
-    for (int i = 0; i < Stepper::stages; ++i) {
-      const Full y = stepper.stage(i);
+    for (int i = 0; i < Stepper::stages; ++i) record(stepper.stage(i));
+  }
+
+  void record(const Full& y) {
+    if (settings_.trajectory)
       motion_.trajectory.push_back({y[2], Curve::d(y[1]), y[0], y[1], system_.force(y.data())});
-    }
   }
 
   Gradient derivative(const Full& by_y) const {

@@ -150,7 +150,7 @@ void add_results(Document& document, const Table& table) {
 void add_lines(Document& document, const Table& table) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     document.line(fmt::format("delta = {:.6g}", table.column("delta")[row]),
-                  fmt::format("F {:<13.8g} a {:<13.8g} p_c {:<13.8g}{}", table.column("F")[row],
+                  fmt::format("F {:<13.8g} a {:<13.8g} p_c {:.8g}{}", table.column("F")[row],
                               table.column("a")[row], table.column("p_c")[row],
                               table.column("branch")[row] > 0 ? " unloading" : ""));
 }

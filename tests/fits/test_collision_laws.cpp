@@ -46,7 +46,9 @@ TEST(CollisionLaws, TrajectoryOfJkrKeepsEnergy) {
            2 * pi * gamma * a * a;
   };
   const double first = energy(c.trajectory.front());
-  double time = 0;
+  EXPECT_EQ(c.trajectory.front().time, 0);
+  EXPECT_NEAR(c.trajectory.front().delta, 0, 1e-14);
+  double time = -1;
   for (const CollisionPoint& p : c.trajectory) {
     EXPECT_NEAR(energy(p), first, 1e-6 * std::abs(0.5 * input.impact.mass * 0.01));
     const double a = p.contact_radius;
