@@ -11,8 +11,8 @@
 
 #include "fits/contact_intervals.hpp"
 #include "fits/contact_problem.hpp"
+#include "fits/cross_validation.hpp"
 #include "fits/weak_direction.hpp"
-#include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
@@ -149,22 +149,50 @@ void describe(ContactFit& result, const ContactProblem& problem, const ContactOp
   result.weak_direction = describe_weak_direction(names, svd.matrixV(), svd.singularValues());
 }
 
-void score(ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
-  const ContactModel& model = problem.model();
+/// Residuals, chi2 and what follows from them.
+void score(ContactFit& result, const ContactModel& model, const Eigen::VectorXd& ln) {
   for (std::size_t i = 0; i < model.residuals(); ++i) {
-    const double r = best.fit.residuals[i];
-    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.predicted(i, best.ln), r});
+    const double r = model.residual(i, ln);
+    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.predicted(i, ln), r});
     result.chi2 += r * r;
   }
-  const auto n = static_cast<double>(model.residuals()), k = static_cast<double>(best.ln.size());
+  const auto n = static_cast<double>(model.residuals()), k = static_cast<double>(ln.size());
   const double deviance = result.known_errors ? result.chi2 : n * std::log(result.chi2 / n);
   result.aic = deviance + 2 * k;
   result.bic = deviance + k * std::log(n);
-  result.digits = best.fit.digits;
+}
+
+void cross_validate(ContactFit& result, ContactProblem& problem, const ContactOptimum* best,
+                    std::span<const ObservedCollision> seen) {
+  result.left_out_velocity = cross_validated(problem, best, seen, "v");
+  if (std::ranges::none_of(problem.model().targets(), [](const auto& t) { return t.radius.has_value(); }))
+    result.left_out_radius = cross_validated(problem, best, seen, "R");
+}
+
+/// The law without anything to be found.
+void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_validation,
+                        std::span<const ObservedCollision> seen) {
+  problem.set(exact);
+  score(result, problem.model(), Eigen::VectorXd(0));
+  if (!std::isfinite(result.chi2)) result.reason = "a collision is unresolved: " + problem.model().failure();
+  if (cross_validation) cross_validate(result, problem, nullptr, seen);
+}
+
+/// The one velocity of all collisions, if there is only one: elasticity and dissipation that grow with
+/// the load are told apart by how they depend on it.
+std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
+  const auto first = seen.front().find("v");
+  for (const ObservedCollision& s : seen)
+    if (s.find("v") != first) return std::nullopt;
+  return first;
 }
 
 /// Why the parameters cannot be believed; empty if they can.
-std::string doubt(const ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
+std::string doubt(const ContactFit& result, const ContactProblem& problem, const ContactOptimum& best,
+                  std::span<const ObservedCollision> seen, std::size_t free) {
+  if (const auto v = only_velocity(seen); v && free > 1 && !problem.has_priors())
+    return fmt::format("all collisions have v = {:g}: one velocity does not determine {} parameters{}{}", *v, free,
+                       result.weak_direction.empty() ? "" : "; ", result.weak_direction);
   const FitCoordinates& coordinates = problem.coordinates();
   const Eigen::VectorXd beyond = coordinates.beyond(best.fit.values);
   for (Eigen::Index k = 0; k < beyond.size(); ++k)
@@ -185,6 +213,7 @@ std::string doubt(const ContactFit& result, const ContactProblem& problem, const
 
 void fit_all(ContactFit& result, ContactProblem& problem, std::span<const ObservedCollision> seen,
              const ContactFitSettings& settings) {
+  if (settings.free.empty()) return judge_as_it_stands(result, problem, settings.cross_validation, seen);
   if (problem.model().only_sticking()) {
     result.reason = "every collision sticks: that bounds the parameters, but determines none";
     return;
@@ -198,9 +227,11 @@ void fit_all(ContactFit& result, ContactProblem& problem, std::span<const Observ
   const ContactOptimum& best = optima.front();
   for (const ContactOptimum& o : optima) result.minima.push_back({plain(o.ln), o.cost, o.starts});
   describe(result, problem, best);
-  score(result, problem, best);
-  result.reason = doubt(result, problem, best);
+  score(result, problem.model(), best.ln);
+  result.digits = best.fit.digits;
+  result.reason = doubt(result, problem, best, seen, settings.free.size());
   if (result.reason.empty()) add_intervals(result, problem, best, settings.intervals);
+  if (settings.cross_validation) cross_validate(result, problem, &best, seen);
 }
 
 }  // namespace
@@ -212,8 +243,6 @@ std::string Estimate::full_name() const {
 ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                        const ContactFitSettings& settings) {
   const auto begin = std::chrono::steady_clock::now();
-  if (settings.free.empty())
-    throw InputError(fmt::format("law {}: no parameter is free, so there is nothing to fit", law.name));
   ContactProblem problem(law, seen, settings);
   ContactFit result;
   result.known_errors = problem.model().known_errors();

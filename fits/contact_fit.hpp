@@ -41,6 +41,7 @@ struct ContactFitSettings {
   Loss loss = Loss::none;              ///< scale: one standard error
   int starts = 8;                      ///< the first is the given or the middle one
   IntervalSettings intervals;
+  bool cross_validation = false;       ///< residuals of radii and velocities that are left out
 };
 
 /// Ends of an interval; NaN where there is none.
@@ -93,6 +94,9 @@ struct ContactFit {
   bool known_errors = false;            ///< every observation has a standard error
   double chi2 = 0;                      ///< sum of squares of the residuals
   double aic = 0, bic = 0;              ///< Akaike's and Schwarz's; of the residuals' variance if errors are unknown
+  /// Root mean square residual of a velocity or radius that is left out; NaN if it is not known.
+  double left_out_velocity = std::numeric_limits<double>::quiet_NaN();
+  double left_out_radius = std::numeric_limits<double>::quiet_NaN();
   double digits = 0;                    ///< correct digits of the optimum
   long collisions = 0;                  ///< that were solved
   double seconds = 0;
@@ -102,7 +106,7 @@ struct ContactFit {
   std::string reason;                   ///< why it is not usable, or empty
 };
 
-/// Throws InputError if an observation lacks a parameter, or nothing is free.
+/// Throws InputError if an observation lacks a parameter. Nothing free: what the law says as it stands.
 ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                        const ContactFitSettings& settings);
 

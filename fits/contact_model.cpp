@@ -81,6 +81,7 @@ std::vector<FreeParameter> usual_free_parameters(const CollisionLaw& law) {
   else if (law.name == "power") names = {"D", "alpha", "beta"};
   else if (law.name == "jkr") names = {"gamma"};
   else if (law.name == "andrews") names = {"E", "Y"};
+  else if (law.name == "krijt-plastic") names = {"T_vis", "v_Y"};
   else if (parameter_index(law, "T_vis")) names = {"T_vis"};
   else if (parameter_index(law, "v_Y")) names = {"v_Y"};
   std::vector<FreeParameter> free;
@@ -266,7 +267,7 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
                                                       Derivatives wanted) const {
   Prediction& p = predictions_[seen];
   const bool needed = wanted == Derivatives::all;
-  if (p.ln.size() == ln.size() && p.ln == ln && (p.with_derivatives || !needed)) return p;
+  if (ln.size() > 0 && p.ln.size() == ln.size() && p.ln == ln && (p.with_derivatives || !needed)) return p;
   p.ln = ln;
   const CollisionInput in = input(seen, ln);
   CollisionSettings settings = collision_settings_;

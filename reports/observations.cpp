@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "fits/lj_particles.hpp"
-#include "readers/byte_source.hpp"
 #include "readers/input_error.hpp"
+#include "reports/whole_file.hpp"
 #ifdef MDANA_WITH_HDF5
 #include "readers/hdf5.hpp"
 #endif
@@ -16,30 +16,7 @@
 namespace mdana {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
 constexpr double same_radius = 0.005;  ///< relative: the paper itself has 88.2 for 88.4
-
-struct Content {
-  std::string text;
-  InputRecord record;
-};
-
-Content read_whole(const std::filesystem::path& path) {
-  const auto source = open_bytes(path);
-  Content content;
-  std::vector<char> piece(std::size_t{1} << 16);
-  for (std::size_t n = piece.size(); n == piece.size();) {
-    n = source->read(piece);
-    content.text.append(piece.data(), n);
-    if (content.text.size() > most_bytes)
-      throw InputError(fmt::format("{}: larger than {} MB: that is no table of collisions", path.string(),
-                                   most_bytes >> 20));
-  }
-  if (const std::string damage = source->damage(); !damage.empty())
-    throw InputError(fmt::format("{}: {}", path.string(), damage));
-  content.record = source->record();
-  return content;
-}
 
 /// The JSON document in an HDF5 file of mdana.
 std::string hdf5_document(const std::filesystem::path& path) {
@@ -62,7 +39,7 @@ bool is_json(std::string_view text) {
 }
 
 void read_file(const std::filesystem::path& path, Observations& all) {
-  Content content = read_whole(path);
+  WholeFile content = read_whole(path);
   const bool hdf5 = is_hdf5(content.text);
   if (hdf5) content.text = hdf5_document(path);
   const bool document = hdf5 || is_json(content.text);

@@ -14,18 +14,6 @@ namespace po = boost::program_options;
 
 constexpr std::array<std::string_view, 3> loss_names{"none", "huber", "cauchy"};
 
-std::vector<NamedNumber> constants_of(const Values& values) {
-  std::vector<NamedNumber> constants;
-  if (!values.count("parameter")) return constants;
-  for (const std::string& text : values["parameter"].as<std::vector<std::string>>()) {
-    const NamedValue named = named_value("-p", text);
-    for (const NamedNumber& other : constants)
-      if (other.name == named.name) throw UsageError(fmt::format("-p {}: {} is given twice", text, named.name));
-    constants.push_back({named.name, number_option("-p", text, named.text)});
-  }
-  return constants;
-}
-
 }  // namespace
 
 NamedValue named_value(const std::string& option, const std::string& text) {
@@ -41,6 +29,18 @@ double number_option(const std::string& option, const std::string& whole, std::s
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
     throw UsageError(fmt::format("{} {}: '{}' is not a finite number", option, whole, text));
   return value;
+}
+
+std::vector<NamedNumber> constants_option(const Values& values) {
+  std::vector<NamedNumber> constants;
+  if (!values.count("parameter")) return constants;
+  for (const std::string& text : values["parameter"].as<std::vector<std::string>>()) {
+    const NamedValue named = named_value("-p", text);
+    for (const NamedNumber& other : constants)
+      if (other.name == named.name) throw UsageError(fmt::format("-p {}: {} is given twice", text, named.name));
+    constants.push_back({named.name, number_option("-p", text, named.text)});
+  }
+  return constants;
 }
 
 void add_contact_fit_options(Options& options) {
@@ -65,14 +65,14 @@ Observations observations_option(const Values& values, std::span<const std::stri
   Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()));
   if (!values["table2"].as<bool>()) return all;
   std::vector<std::string> leave(free.begin(), free.end());
-  for (const NamedNumber& n : constants_of(values)) leave.push_back(n.name);
+  for (const NamedNumber& n : constants_option(values)) leave.push_back(n.name);
   fill_from_lj_particles(all, leave);
   return all;
 }
 
 ContactFitSettings contact_settings(const Values& values) {
   ContactFitSettings s;
-  s.constants = constants_of(values);
+  s.constants = constants_option(values);
   s.loss = static_cast<Loss>(choice(values, "loss", loss_names));
   s.starts = values["starts"].as<int>();
   if (s.starts < 1 || s.starts > 1000) throw UsageError("--starts must be 1 to 1000");

@@ -13,6 +13,9 @@ NamedValue named_value(const std::string& option, const std::string& text);
 /// A finite number in the text of an option. Throws UsageError with the whole text.
 double number_option(const std::string& option, const std::string& whole, std::string_view text);
 
+/// The numbers of -p NAME=VALUE. Throws UsageError.
+std::vector<NamedNumber> constants_option(const Values& values);
+
 /// Options of every command that fits collision laws to tables: -p, --table2, --loss, --starts, --json, -o.
 void add_contact_fit_options(Options& options);
 
