@@ -103,7 +103,11 @@ int run_command(const Values& values) {
   Json laws = Json::array();
   for (const Judged& j : all) tell(document, j, observations.seen, laws);
   document.json("laws", std::move(laws));
-  document.text("best", std::string(all.front().law->name));
+  const auto best = std::ranges::find_if(all, [](const Judged& j) { return j.fit.usable; });
+  if (best != all.end())
+    document.text("best", std::string(best->law->name));
+  else
+    document.left_out("best", "no fit is usable");
   if (!observations.known_errors)
     document.warn("no standard errors are given: AIC and BIC take the scatter about each fit for the error");
   const Table table = comparison_table(all);
@@ -119,7 +123,8 @@ const Command compare_laws_command{
     "all contact laws on the same collisions: AIC, BIC, cross-validation, where each fails",
     "Fits every law whose constants are known to the tables of fit-contact, with what is usually free in it and not\n"
     "given, and tells of each: number of free parameters k, chi2, AIC, BIC, the root mean square residual of a\n"
-    "velocity and of a radius that were left out of the fit, and where it fails. The best has the least AIC.",
+    "velocity and of a radius that were left out of the fit, and where it fails. The best has the least AIC\n"
+    "of those that are usable.",
     "  mdana compare-laws runs.csv --table2\n"
     "  mdana compare-laws runs.csv -p E=65.5 -p gamma=3.17 -p nu=0.25 --loss huber --json",
     add_contact_fit_options,
