@@ -11,6 +11,7 @@ namespace mdana::hdf5 {
 namespace {
 
 constexpr std::size_t longest_text = 1024;  ///< in bytes, of a dataset's texts of one width
+constexpr std::size_t longest_alone = std::size_t{4} << 20;  ///< of a single one: a document
 
 Handle type_of(const Dataset& d) { return Handle(read_ok(H5Dget_type(d.id()), d.place())); }
 
@@ -129,9 +130,10 @@ std::vector<std::string> Dataset::read_texts(const Slab& slab) const {
     H5Dvlen_reclaim(type.id(), s.memory.id(), H5P_DEFAULT, pointers.data());
     return values;
   }
-  if (H5Tget_size(type.id()) > longest_text)
+  const std::size_t longest = s.count == 1 ? longest_alone : longest_text;
+  if (H5Tget_size(type.id()) > longest)
     throw InputError(fmt::format("{}: texts of {} bytes (at most {} are read)", place(),
-                                 H5Tget_size(type.id()), longest_text));
+                                 H5Tget_size(type.id()), longest));
   std::string bytes(s.count * H5Tget_size(type.id()), '\0');
   read_ok(H5Dread(id(), type.id(), s.memory.id(), s.file.id(), H5P_DEFAULT, bytes.data()), place());
   return unpadded(bytes, type.id());
