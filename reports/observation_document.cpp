@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,6 +34,22 @@ std::string word(const Json& document, const char* name) {
   return at != document.end() && at->is_string() ? at->get<std::string>() : std::string();
 }
 
+/// A number of both bodies, as `name.body1` and `name.body2`; unknown if the document has none.
+std::array<double, 2> of_bodies(const Json& document, const char* name) {
+  const auto at = document.find(name);
+  if (at == document.end() || !at->is_object()) return {Measured().value, Measured().value};
+  return {number(*at, "body1").value, number(*at, "body2").value};
+}
+
+/// Equal bodies (within 1 %) under the name of both, others under their own; nothing that is unknown.
+void give(std::vector<NamedNumber>& given, const std::string& name, const std::array<double, 2>& values) {
+  const auto [a, b] = values;
+  if (!(a > 0 && b > 0 && std::isfinite(a) && std::isfinite(b))) return;
+  if (std::abs(a - b) <= 0.01 * std::max(a, b)) return given.push_back({name, (a + b) / 2});
+  given.push_back({name + "1", a});
+  given.push_back({name + "2", b});
+}
+
 double needed(const Json& document, const char* name, const std::string& place) {
   const Measured m = number(document, name);
   if (!(m.value > 0) || !std::isfinite(m.value))
@@ -52,7 +69,10 @@ ObservedCollision parse_collision_document(std::string_view text, const std::str
     throw InputError(fmt::format("{}: a document of 'mdana collision' is expected, this one is of '{}'", place, command));
   ObservedCollision c;
   c.place = place;
-  c.given = {{"R", needed(document, "radius_sum", place) / 2}, {"v", needed(document, "speed_before", place)}};
+  c.given = {{"v", needed(document, "speed_before", place)}};
+  give(c.given, "R", of_bodies(document, "radius"));
+  if (c.given.size() == 1) c.given.push_back({"R", needed(document, "radius_sum", place) / 2});
+  give(c.given, "m", of_bodies(document, "mass"));
   const std::string outcome = word(document, "outcome");
   if (outcome != "stick" && outcome != "bounce")
     throw InputError(fmt::format("{}: outcome '{}': such a collision tells nothing; leave it out", place, outcome));

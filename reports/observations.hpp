@@ -34,7 +34,7 @@ Observations read_observations(std::span<const std::filesystem::path> files);
 /// The collisions of one table; `place` is its name in messages.
 std::vector<ObservedCollision> parse_collision_table(std::string_view text, const std::string& place);
 
-/// The collision that a document of `mdana collision` tells of. Equal spheres; their mass is not in it.
+/// The collision that a document of `mdana collision` tells of. Radii and masses as far as it has them.
 ObservedCollision parse_collision_document(std::string_view text, const std::string& place);
 
 /// Fills m and E by R, and gamma, nu and spacing, where they are not given, from Yoshida, Kokubo &

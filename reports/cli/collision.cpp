@@ -5,6 +5,7 @@
 
 #include "analyses/energy.hpp"
 #include "analyses/far_side.hpp"
+#include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/collision_summary.hpp"
@@ -47,6 +48,7 @@ class Collision {
             bool final_clusters) const {
     table = all_columns();
     document.sweep(measured_.swept, run_.format);
+    tell_bodies(document);
     add_force(document, curve_, source_, radii_);
     add_restitution(document, restitution_);
     add_overlays(document, table, curve_, elastic(material));
@@ -63,6 +65,14 @@ class Collision {
   }
 
  private:
+  void tell_bodies(Document& document) const {
+    const auto [first, second] = body_motion(measured_.swept.tables[0], 0);
+    document.number("mass.body1", {first.mass, {}, dimension::mass});
+    document.number("mass.body2", {second.mass, {}, dimension::mass});
+    document.number("radius.body1", {radii_.value[0], {}, dimension::length});
+    document.number("radius.body2", {radii_.value[1], {}, dimension::length});
+  }
+
   Table all_columns() const {
     Table all = force_table(curve_, measured_.motion, measured_.swept.tables[0]);
     for (std::size_t t = 1; t <= contact_tables_ + 1; ++t) add(measured_.swept.tables[t], all);

@@ -18,6 +18,13 @@ class Collision(running.Case):
         self.assertLessEqual(reasons, {entry["what"] for entry in whole["left_out"]})
         self.assertEqual([w for w in whole["warnings"] if w not in contact["warnings"]], force["warnings"])
 
+    def test_bodies_are_told(self):
+        whole = self.document("collision", SAMPLE)
+        # Two spheres of 603 atoms of mass 1, cut at radius 5 (the scene file).
+        for body in ("body1", "body2"):
+            self.assertEqual(whole["mass"][body]["value"], 603)
+            self.assertEqual(whole["radius"][body]["value"], 5)
+
     def test_table_is_all_tables(self):
         whole = self.table("collision", SAMPLE)
         for command in ("force", "contact-radius", "energy"):

@@ -96,6 +96,21 @@ class Found(Contact):
         self.expect(document, {"gamma": 3.17})
         self.assertEqual(document["inputs"][0]["format"], "collision")
 
+    def test_document_with_masses_and_radii(self):
+        """What the document says of the bodies needs no option; equal ones are R and m, unequal ones R1, R2, m1, m2."""
+        paths = []
+        for k, (R1, R2) in enumerate(((80, 80), (60, 120), (100, 100))):
+            m1, m2 = 4.3633 * R1**3, 4.3633 * R2**3
+            given = {"R1": R1, "R2": R2, "m1": m1, "m2": m2, "E": 65.5, "gamma": 3.17, "v": 0.3}
+            one = self.document("predict", "--law", "jkr", *options(given))
+            paths.append(self.dir / f"run{k}.json")
+            both = lambda a, b: {"body1": {"value": a, "error": None}, "body2": {"value": b, "error": None}}
+            paths[-1].write_text(json.dumps({
+                "command": "collision", "outcome": one["outcome"], "radius_sum": {"value": R1 + R2, "error": None},
+                "radius": both(R1, R2), "mass": both(m1, m2), "speed_before": {"value": 0.3, "error": 1e-6},
+                "e": {"value": one["e"], "error": 0.001}}))
+        self.expect(self.document("fit-contact", "--law", "jkr", *paths, "-p", "E=65.5", "--free", "gamma"),
+                    {"gamma": 3.17})
 
     def test_hdf5(self):
         """The document in an HDF5 file is read; that of the sample has no speed before contact."""
