@@ -24,7 +24,7 @@ struct Problem {
   const ForceData& data;
   const ForceFitSettings& settings;
   std::vector<std::size_t> points;
-  double delta_max = 0, force_max = 0;  ///< scales
+  double delta_max = 0, force_max = 0;  ///< scales: of delta as of X, whichever is more
   bool known_errors = true;
 
   /// The contact, and what is added to R1 + R2 - X, for parameters q: logarithms over a start for
@@ -67,7 +67,11 @@ void check_free(const ForceLaw& law, const std::vector<std::string>& free) {
                                    fmt::join(known, ", ")));
 }
 
+/// Frames of contact: by the given radii, or with a force of note, since radii may be too small.
 std::vector<std::size_t> choose(const ForceData& data, const ForceFitSettings& s) {
+  constexpr double of_note = 0.02;
+  double force_max = 0;
+  for (const double f : data.force) force_max = std::max(force_max, f);
   std::vector<std::size_t> points;
   double greatest = 0;
   for (const double x : data.distance) greatest = std::max(greatest, data.radius_sum - x);
@@ -75,7 +79,10 @@ std::vector<std::size_t> choose(const ForceData& data, const ForceFitSettings& s
   for (std::size_t i = 0; i < std::min(end, data.force.size()); ++i) {
     if (!std::isfinite(data.force[i]) || !std::isfinite(data.distance[i]))
       throw InputError(fmt::format("force fit: distance or force of frame {} is not finite", i));
-    if (data.radius_sum - data.distance[i] > s.min_delta_fraction * greatest) points.push_back(i);
+    const double delta = data.radius_sum - data.distance[i];
+    if (delta > s.min_delta_fraction * greatest ||
+        (s.min_delta_fraction == 0 && data.force[i] > of_note * force_max))
+      points.push_back(i);
   }
   return points;
 }
@@ -116,7 +123,8 @@ double residual_at(const Problem& p, std::size_t point, std::span<const double> 
   return (p.force(frame, state(p, q)) - p.data.force[frame]) / p.scale(frame);
 }
 
-/// How far a parameter is out of its range, signed: a factor of 1000 about the guess, or 2 delta_max.
+/// How far a parameter is out of its range, signed: a factor of 1000 about the guess, or twice the scale
+/// of delta.
 double beyond(const std::string& name, double q) {
   const double most = is_shift(name) ? 2 : 7;
   return q < -most ? q + most : std::max(0.0, q - most);
@@ -241,7 +249,8 @@ ForceFit fit_force(const ForceLaw& law, const ForceData& data, const ForceFitSet
                                  "parameters. Dump more often, or fit the loop", p.points.size(),
                                  name(settings.part), settings.free.size() + 1, settings.free.size()));
   for (const std::size_t i : p.points) {
-    p.delta_max = std::max(p.delta_max, data.radius_sum - data.distance[i]);
+    p.delta_max = std::max({p.delta_max, data.radius_sum - data.distance[i],
+                            data.distance[p.points.front()] - data.distance[i]});
     p.force_max = std::max(p.force_max, std::abs(data.force[i]));
     p.known_errors = p.known_errors && i < data.error.size() && data.error[i] > 0;
   }
