@@ -32,8 +32,10 @@ struct ForceFitSettings {
   std::vector<std::string> free;
   ElasticContact constants;       ///< what is not free; its radius is not read
   ForcePart part = ForcePart::loading;
-  double min_delta_fraction = 0;  ///< leave out points with delta below this part of the greatest
-  Loss loss = Loss::none;         ///< scale: one standard error, or one robust deviation without
+  /// Leave out points with delta below this part of the greatest; 0: none of contact, by delta > 0 at the
+  /// given radii or by 2 % of the greatest force.
+  double min_delta_fraction = 0;
+  Loss loss = Loss::none;         ///< scale: one standard error, or 1 % of the greatest force without
 };
 
 /// One parameter that was found.

@@ -62,6 +62,15 @@ RunOptions run_options(const Values& values);
 /// -p NAME=VALUE ... of a law. Throws UsageError at one without its sign.
 std::vector<NamedValue> parameters_option(const Values& values);
 
+/// "T_vis=0.075" of an option taken apart. Throws UsageError.
+NamedValue named_value(std::string_view option, const std::string& text);
+
+/// A finite number in the text of an option. Throws UsageError with the whole text.
+double number_option(std::string_view option, const std::string& whole, std::string_view text);
+
+/// "C,B,zeta", in one option or in several. Throws UsageError.
+std::vector<std::string> names_option(const Values& values, const char* option);
+
 /// Parts of "FIRST:LAST:COUNT"; `expected` is what a UsageError says. COUNT is 2 to 1000000.
 std::array<std::string_view, 3> three_parts(std::string_view text, std::string_view expected);
 double finite_number(std::string_view text, std::string_view expected);

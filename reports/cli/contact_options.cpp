@@ -2,8 +2,6 @@
 #include "reports/cli/contact_options.hpp"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -15,21 +13,6 @@ namespace po = boost::program_options;
 constexpr std::array<std::string_view, 3> loss_names{"none", "huber", "cauchy"};
 
 }  // namespace
-
-NamedValue named_value(const std::string& option, const std::string& text) {
-  const std::size_t sign = text.find('=');
-  if (sign == 0 || sign == std::string::npos)
-    throw UsageError(fmt::format("{} {}: NAME=VALUE is expected", option, text));
-  return {text.substr(0, sign), text.substr(sign + 1)};
-}
-
-double number_option(const std::string& option, const std::string& whole, std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    throw UsageError(fmt::format("{} {}: '{}' is not a finite number", option, whole, text));
-  return value;
-}
 
 std::vector<NamedNumber> constants_option(const Values& values) {
   std::vector<NamedNumber> constants;

@@ -7,12 +7,6 @@
 
 namespace mdana::cli {
 
-/// "T_vis=0.075" of -p and --start. Throws UsageError.
-NamedValue named_value(const std::string& option, const std::string& text);
-
-/// A finite number in the text of an option. Throws UsageError with the whole text.
-double number_option(const std::string& option, const std::string& whole, std::string_view text);
-
 /// The numbers of -p NAME=VALUE. Throws UsageError.
 std::vector<NamedNumber> constants_option(const Values& values);
 

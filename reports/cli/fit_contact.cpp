@@ -18,18 +18,6 @@ Texts texts_of(const Values& values, const char* option) {
   return values.count(option) ? values[option].as<Texts>() : Texts();
 }
 
-std::vector<std::string> names_of(const Values& values, const char* option) {
-  std::vector<std::string> names;
-  for (const std::string& list : texts_of(values, option))
-    for (std::size_t from = 0; from <= list.size();) {
-      const std::size_t comma = std::min(list.find(',', from), list.size());
-      if (comma == from) throw UsageError(fmt::format("--{} {}: NAME,NAME,... is expected", option, list));
-      names.push_back(list.substr(from, comma - from));
-      from = comma + 1;
-    }
-  return names;
-}
-
 const CollisionLaw& law_of(const Values& values) {
   const std::string text = values["law"].as<std::string>();
   if (const CollisionLaw* law = find_collision_law(text)) return *law;
@@ -112,7 +100,7 @@ void set_free(ContactFitSettings& settings, const Values& values, const Collisio
   for (const std::string& text : texts_of(values, "start")) set_start(settings.free, text);
   for (const std::string& text : texts_of(values, "bound")) set_bounds(settings.free, text);
   for (const std::string& text : texts_of(values, "prior")) set_prior(settings.free, text);
-  for (const std::string& name : names_of(values, "per-radius"))
+  for (const std::string& name : names_option(values, "per-radius"))
     find_free(settings.free, "per-radius", name).per_radius = true;
 }
 
@@ -139,7 +127,7 @@ void add_options(Options& options) {
 int run_command(const Values& values) {
   check_output(values, true);
   const CollisionLaw& law = law_of(values);
-  const std::vector<std::string> names = names_of(values, "free");
+  const std::vector<std::string> names = names_option(values, "free");
   ContactFitSettings settings = contact_settings(values);
   settings.intervals = intervals_of(values);
   const Observations observations = observations_option(values, names);

@@ -25,7 +25,7 @@ void add_options(Options& options) {
   options.add_options()                                                                          //
       ("law", po::value<std::string>()->required()->value_name("NAME"),
        "hertz, dmt, jkr, maugis, thornton or andrews")                                           //
-      ("free", po::value<std::string>()->value_name("NAMES"),
+      ("free", po::value<Texts>()->composing()->value_name("NAMES"),
        "what is to be found, as E,gamma,R (default: all that -p does not give, and R); R is "
        "(R1 + R2)/2 at the given ratio, offset is added to delta instead")                       //
       ("parameter,p", po::value<Texts>()->composing()->value_name("NAME=VALUE"),
@@ -33,7 +33,8 @@ void add_options(Options& options) {
       ("part", po::value<std::string>()->default_value("loading")->value_name("NAME"),
        "fit the frames up to the greatest compression (loading), or all of contact (loop)")      //
       ("min-delta-fraction", po::value<double>()->default_value(0, "0")->value_name("P"),
-       "leave out points with delta below this part of the greatest")                            //
+       "leave out points with delta below this part of the greatest (0: all of contact, by delta or by "
+       "2 % of the greatest force)")                            //
       ("loss", po::value<std::string>()->default_value("none")->value_name("NAME"),
        "damp outliers: none, huber or cauchy");
   add_output_options(options, true);
@@ -50,36 +51,16 @@ const ForceLaw& law_of(const Values& values) {
   throw UsageError(fmt::format("--law {}: one of {} is expected", text, fmt::join(names, ", ")));
 }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> names;
-  for (std::size_t from = 0; from <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', from), list.size());
-    if (comma == from) throw UsageError(fmt::format("--free {}: NAME,NAME,... is expected", list));
-    names.push_back(law_name(list.substr(from, comma - from)));
-    from = comma + 1;
-  }
-  return names;
-}
-
 /// The law's parameters that -p gives; their names.
 std::vector<std::string> set_constants(const Values& values, const ForceLaw& law, ElasticContact& contact) {
   std::vector<std::string> given;
-  if (!values.count("parameter")) return given;
-  for (const std::string& text : values["parameter"].as<Texts>()) {
-    const std::size_t equals = text.find('=');
-    const std::string name = law_name(text.substr(0, equals));
+  for (const NamedValue& value : parameters_option(values)) {
+    const std::string name = law_name(value.name), text = value.name + "=" + value.text;
     const auto at = std::ranges::find(law.parameters, name, &ContactParameter::name);
-    if (equals == std::string::npos || at == law.parameters.end() || name == "R*")
+    if (at == law.parameters.end() || name == "R*")
       throw UsageError(fmt::format("-p {}: NAME=VALUE of a parameter of law {} is expected (radii: --radius)",
                                    text, law.name));
-    std::size_t end = 0;
-    const std::string number = text.substr(equals + 1);
-    try {
-      contact.*(at->value) = std::stod(number, &end);
-    } catch (const std::exception&) {
-      end = 0;
-    }
-    if (end == 0 || end != number.size()) throw UsageError(fmt::format("-p {}: not a number", text));
+    contact.*(at->value) = number_option("-p", text, value.text);
     given.push_back(name);
   }
   return given;
@@ -89,7 +70,7 @@ ForceFitSettings settings(const Values& values, const ForceLaw& law) {
   ForceFitSettings s;
   const std::vector<std::string> given = set_constants(values, law, s.constants);
   if (values.count("free")) {
-    s.free = split(values["free"].as<std::string>());
+    for (const std::string& name : names_option(values, "free")) s.free.push_back(law_name(name));
   } else {
     for (const ContactParameter& p : law.parameters)
       if (p.name != "R*" && std::ranges::find(given, p.name) == given.end()) s.free.emplace_back(p.name);

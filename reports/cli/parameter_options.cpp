@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -7,22 +8,37 @@
 #include "reports/cli/command.hpp"
 
 namespace mdana::cli {
-namespace {
 
-NamedValue named_value(const std::string& text) {
+NamedValue named_value(std::string_view option, const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == 0 || sign == std::string::npos)
-    throw UsageError(fmt::format("-p {}: NAME=VALUE is expected", text));
+    throw UsageError(fmt::format("{} {}: NAME=VALUE is expected", option, text));
   return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
-}  // namespace
+double number_option(std::string_view option, const std::string& whole, std::string_view text) {
+  return finite_number(text, fmt::format("{} {}: '{}' is not a finite number", option, whole, text));
+}
+
+std::vector<std::string> names_option(const Values& values, const char* option) {
+  std::vector<std::string> names;
+  if (!values.count(option)) return names;
+  for (const std::string& list : values[option].as<std::vector<std::string>>())
+    for (std::size_t from = 0; from <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', from), list.size());
+      if (comma == from)
+        throw UsageError(fmt::format("--{} {}: NAME,NAME,... is expected", option, list));
+      names.push_back(list.substr(from, comma - from));
+      from = comma + 1;
+    }
+  return names;
+}
 
 std::vector<NamedValue> parameters_option(const Values& values) {
   std::vector<NamedValue> given;
   if (values.count("parameter"))
     for (const std::string& text : values["parameter"].as<std::vector<std::string>>())
-      given.push_back(named_value(text));
+      given.push_back(named_value("-p", text));
   return given;
 }
 

@@ -95,8 +95,8 @@ TEST(ForceFit, ScaleOfLengthsDoesNotMatter) {
   EXPECT_NEAR(f.parameters[1].value, radius * scale, 1e-6 * radius * scale);
 }
 
-// With noise of known size, the truth lies within three stated errors (for all of 3 numbers of each
-// of 20 draws a chance of 0.85; here the draws are fixed).
+// With noise of known size the truth lies within three stated errors (99.7 % each; the draw is fixed), and
+// the errors are small enough to mean something.
 TEST(ForceFit, ErrorsCoverTheTruth) {
   const ForceLaw& l = *find_force_law("jkr");
   const ForceFit f = fit_force(l, data_of(l, 0.01), settings({"E*", "gamma", "R"}, ForcePart::loading));
