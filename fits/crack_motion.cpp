@@ -250,16 +250,7 @@ void CrackCollision::stick() {
 
 void CrackCollision::give_up(SegmentEnd end) {
   if (energy_ < 0 && turned_) return stick();
-  switch (end) {
-    case SegmentEnd::out_of_time:
-      motion_.reason = "the time limit is reached";
-      break;
-    case SegmentEnd::out_of_steps:
-      motion_.reason = "too many steps";
-      break;
-    default:
-      motion_.reason = "no step is small enough for the tolerance";
-  }
+  motion_.reason = reason_of(end);
 }
 
 }  // namespace

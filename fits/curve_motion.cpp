@@ -200,16 +200,7 @@ class CurveCollision {
 
   void give_up(SegmentEnd end) {
     if (turned_ && energy_ < Curve::last_energy) return stick();
-    switch (end) {
-      case SegmentEnd::out_of_time:
-        motion_.reason = "the time limit is reached";
-        break;
-      case SegmentEnd::out_of_steps:
-        motion_.reason = "too many steps";
-        break;
-      default:
-        motion_.reason = "no step is small enough for the tolerance";
-    }
+    motion_.reason = reason_of(end);
   }
 
   double w0_;

@@ -15,6 +15,15 @@ struct IntegrationLimits {
 
 enum class SegmentEnd { event, out_of_time, out_of_steps, step_too_small, done };
 
+/// Why a motion could not be followed to its end.
+inline const char* reason_of(SegmentEnd end) {
+  switch (end) {
+    case SegmentEnd::out_of_time: return "the time limit is reached";
+    case SegmentEnd::out_of_steps: return "too many steps";
+    default: return "no step is small enough for the tolerance";
+  }
+}
+
 /// Integrates a system until the first of its events,
 ///
 ///     static constexpr int events;
