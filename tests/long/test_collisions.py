@@ -56,15 +56,6 @@ def make(folder, name):
     return folder / name
 
 
-def vectors(path):
-    """Two rows of numbers for each step of a `mode vector` file: step -> array."""
-    found, lines = {}, [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
-    while lines:
-        step, rows = lines.pop(0)
-        found[int(step)] = np.array([[float(word) for word in lines.pop(0)[1:]] for _ in range(int(rows))])
-    return found
-
-
 def rerun(dump, folder):
     """Relative position and velocity of the bodies in each frame, by LAMMPS."""
     (folder / "rerun.lmp").write_text(RERUN.format(dump=dump))
@@ -72,7 +63,7 @@ def rerun(dump, folder):
                           timeout=600, check=False)
     if done.returncode:
         raise AssertionError(done.stdout[-2000:])
-    motion = vectors(folder / "motion.txt")
+    motion = lammps.vectors(folder / "motion.txt")
     table = np.array([motion[step][1] - motion[step][0] for step in sorted(motion)])
     return table[:, :3], table[:, 3:]
 

@@ -9,6 +9,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 sys.dont_write_bytecode = True
 
+import numpy as np  # noqa: E402
+
 import running  # noqa: E402
 
 GENERATE = running.ROOT / "sample-data" / "generate"
@@ -33,3 +35,12 @@ def generate(*arguments, code=0, timeout=300, **settings):
 def ranks():
     """Two where MPI is there, which halves the time."""
     return 2 if shutil.which("mpirun") else 1
+
+
+def vectors(path):
+    """Rows of numbers for each step of a `mode vector` file of LAMMPS, without their indices: step -> array."""
+    found, lines = {}, [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
+    while lines:
+        step, rows = lines.pop(0)
+        found[int(step)] = np.array([[float(word) for word in lines.pop(0)[1:]] for _ in range(int(rows))])
+    return found

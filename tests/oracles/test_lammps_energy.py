@@ -30,15 +30,6 @@ thermo_modify norm {norm}
 ATOMS = 603  # of each body
 
 
-def vectors(path):
-    """Two rows of numbers for each step of a `mode vector` file: step -> array."""
-    found, lines = {}, [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
-    while lines:
-        step, rows = lines.pop(0)
-        found[int(step)] = np.array([[float(word) for word in lines.pop(0)[1:]] for _ in range(int(rows))])
-    return found
-
-
 def make(folder, name, norm, *arguments):
     (folder / f"{name}.lmp").write_text(MEASURE.format(norm=norm))
     generate(*arguments, "--columns", "id type x y z vx vy vz c_pe", "--include", folder / f"{name}.lmp", "-o", folder / name)
@@ -64,7 +55,7 @@ class LammpsEnergy(running.Case):
         cls.steps = cls.found["step"].astype(int)
 
     def column(self, path, row, k):
-        table = vectors(self.run_dir / path)
+        table = lammps.vectors(self.run_dir / path)
         return np.array([table[step][row, k] for step in self.steps])
 
     def assert_series(self, name, wanted, tolerance):

@@ -28,15 +28,6 @@ MASS = 603.0  # of each body: its atoms
 DIGITS = 10   # of the dump's numbers, %.10g
 
 
-def vectors(path):
-    """Two rows of three numbers for each step of a `mode vector` file: step -> array."""
-    found, lines = {}, [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
-    while lines:
-        step, rows = lines.pop(0)
-        found[int(step)] = np.array([[float(word) for word in lines.pop(0)[1:]] for _ in range(int(rows))])
-    return found
-
-
 def printing_error(values):
     """Standard deviation of the sum of printed values: each is uniform within one unit of its last digit."""
     sizes = np.abs(values[values != 0])
@@ -57,7 +48,7 @@ class LammpsMotion(unittest.TestCase):
         cls.dump = run / "dump.lammpstrj.gz"
         cls.frames = dumps.read(cls.dump)
         cls.steps = [frame.step for frame in cls.frames]
-        com, vcm = vectors(run / "com.txt"), vectors(run / "vcm.txt")
+        com, vcm = lammps.vectors(run / "com.txt"), lammps.vectors(run / "vcm.txt")
         cls.com = np.array([com[step] for step in cls.steps])
         cls.vcm = np.array([vcm[step] for step in cls.steps])
         f = {int(row[0]): row[1:].reshape(2, 3) for row in np.loadtxt(run / "f.txt")}
