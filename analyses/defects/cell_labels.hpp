@@ -78,8 +78,8 @@ MDANA_INLINE std::uint8_t label_of(const Candidates& candidates, std::size_t sel
 
 MDANA_TARGET std::size_t label(const CellGrid& grid, std::size_t first, std::size_t end,
                                std::uint8_t* labels, float* margins) {
-  const auto candidates = std::make_unique<Candidates>();
-  const auto near = std::make_unique<Near>();
+  const auto candidates = std::make_unique_for_overwrite<Candidates>();
+  const auto near = std::make_unique_for_overwrite<Near>();
   Rows rows(grid, first);
   for (std::size_t cell = first; cell < end; ++cell) {
     rows.move_to(cell);

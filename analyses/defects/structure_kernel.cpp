@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 
 #include "analyses/defects.hpp"
 
@@ -143,6 +144,26 @@ void keep_nearest(Near& near) {
   for (std::size_t k = 0; k < 12; ++k)
     for (float* values : {near.x, near.y, near.z}) values[k] = values[order[k]];
   near.count = 12;
+}
+
+Structure structure_of(const Neighbours& all, float* margin) {
+  constexpr float shell = static_cast<float>(between_shells * between_shells);
+  const auto near = std::make_unique_for_overwrite<Near>();
+  const auto within = [&](float limit) {
+    near->count = 0;
+    for (const Neighbour& n : all) {
+      if (!(n.d2 < limit)) continue;
+      near->x[near->count] = n.offset.x();
+      near->y[near->count] = n.offset.y();
+      near->z[near->count++] = n.offset.z();
+    }
+  };
+  within(shell);
+  if (near->count != 12) {
+    within(far_away * far_away);
+    keep_nearest(*near);
+  }
+  return static_cast<Structure>(structure(*near, margin));
 }
 
 std::span<const StructureKernel* const> structure_kernels() {

@@ -6,7 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "analyses/defects.hpp"
 #include "analyses/defects/cell_grid.hpp"
+#include "analyses/defects/neighbours.hpp"
 
 namespace mdana::defects {
 
@@ -43,6 +45,9 @@ struct StructureKernel {
   std::size_t (*label)(const CellGrid& grid, std::size_t first, std::size_t end,
                        std::uint8_t* labels, float* margins);
 };
+
+/// The same of one atom from all its neighbours within reach, at least 12, by place.
+Structure structure_of(const Neighbours& all, float* margin);
 
 /// All kernels of this build, fastest first; the last one runs everywhere.
 std::span<const StructureKernel* const> structure_kernels();

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "analyses/defects/labels.hpp"
+
+namespace mdana::defects {
+namespace {
+
+// In spacings. Between neighbours of fcc and of hcp lie 3 x (1/sqrt 3)^2 = 1 in the sum of squares.
+constexpr double farthest = 0.45;       ///< of an atom from where the template has it
+constexpr double greatest_sum = 0.5;    ///< of squares: 0.2 for each of twelve
+constexpr double least_distance = 0.25; ///< to the sum of the best template of another structure
+
+/// Sum of the squared distances between a template and the atoms that fill it, one each, without what
+/// all have in common (the displacement of the atom itself); infinite if it is not filled.
+double misfit(const Twelve& ideal, const Eigen::Matrix3d& map, const Neighbours& all) {
+  std::uint64_t taken = 0;
+  double sum = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : ideal) {
+    const Eigen::Vector3d p = map * v;
+    double least = farthest * farthest;
+    std::size_t filler = 64;
+    Eigen::Vector3d between = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Eigen::Vector3d d = all[k].offset.cast<double>() - p;
+      if (!(d.squaredNorm() < least)) continue;
+      least = d.squaredNorm();
+      filler = k;
+      between = d;
+    }
+    if (filler == 64 || (taken >> filler & 1)) return HUGE_VAL;
+    taken |= std::uint64_t{1} << filler;
+    sum += least;
+    mean += between / 12;
+  }
+  return sum - 12 * mean.squaredNorm();
+}
+
+/// The structure of the best template, if it fits and the other structure's fit clearly worse.
+Labelled fitted(const Eigen::Matrix3d& map, const Neighbours& all) {
+  double fcc = HUGE_VAL, hcp = HUGE_VAL;
+  for (const Template& t : templates()) {
+    double& best = t.structure == Structure::fcc ? fcc : hcp;
+    best = std::min(best, misfit(t.neighbours, map, all));
+  }
+  const double best = std::min(fcc, hcp), between = std::min(1.0, std::max(fcc, hcp) - best);
+  if (!(best <= greatest_sum) || !(between >= least_distance)) return {};
+  return {fcc < hcp ? Structure::fcc : Structure::hcp, static_cast<float>(between)};
+}
+
+/// The neighbours of fcc structure, nearest first, three at most.
+std::vector<std::uint32_t> fcc_among(const Sites& sites, Neighbours all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Neighbour& a, const Neighbour& b) { return a.d2 < b.d2; });
+  std::vector<std::uint32_t> found;
+  for (const Neighbour& n : all)
+    if (found.size() < 3 && n.d2 < touching * touching &&
+        sites.structure[n.place] == Structure::fcc)
+      found.push_back(n.place);
+  return found;
+}
+
+}  // namespace
+
+std::size_t repair(Sites& sites) {
+  const auto places = places_of(sites, Structure::other);
+  std::vector<Labelled> labelled(places.size());
+  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& found) {
+    if (found.size() < 12 || found.size() > 60) return;
+    const auto search = sites.search();
+    Neighbours theirs;
+    for (const std::uint32_t place : fcc_among(sites, found)) {
+      search->about(place, theirs);
+      const auto twelve = nearest_twelve(theirs);
+      const auto map = twelve ? deformation(*twelve) : std::nullopt;
+      if (map) labelled[k] = fitted(*map, found);
+      if (labelled[k].structure != Structure::other) return;
+    }
+  });
+  std::size_t repaired = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (labelled[k].structure == Structure::other) continue;
+    ++repaired;
+    sites.structure[places[k]] = labelled[k].structure;
+    if (!sites.margin.empty()) sites.margin[places[k]] = labelled[k].margin;
+  }
+  return repaired;
+}
+
+}  // namespace mdana::defects
