@@ -31,6 +31,7 @@ struct FaultPlane {
   BodyIndex body = 0;
   Eigen::Vector3d normal, centre;  ///< unit vector of either sign; [length]
   double area = 0;                 ///< [length^2]
+  double error = 0;                ///< [length^2]: each atom at the edge is cut anywhere in its cell
   std::size_t atoms = 0;           ///< hcp atoms
 };
 

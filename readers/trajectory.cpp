@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,28 @@ std::string_view format_of(const std::filesystem::path& path) {
   const auto files = find_file_set(path);
   const std::filesystem::path& first = files ? files->front().front() : path;
   return recognise(*open_bytes(first), first).name;
+}
+
+const Format* format_to_write(const std::filesystem::path& name) {
+  for (const Format* format : formats()) {
+    if (!format->create) continue;
+    std::istringstream endings{std::string(format->ending)};
+    for (std::string ending; endings >> ending;)
+      if (name.filename().string().ends_with("." + ending)) return format;
+  }
+  return nullptr;
+}
+
+std::uint64_t count_frames(const std::filesystem::path& path) {
+  const auto source = open_trajectory(path, {});
+  FrameHeader header;
+  std::uint64_t frames = 0;
+  try {
+    while (source->next(header)) ++frames;
+  } catch (const InputError&) {
+    if (frames == 0) throw;  // else the sweep will tell
+  }
+  return frames;
 }
 
 FrameHeader first_header(const std::filesystem::path& path) {

@@ -209,8 +209,11 @@ class Piece {
     std::sort(edge_.begin(), edge_.end());
     edge_.erase(std::unique(edge_.begin(), edge_.end()), edge_.end());
     const auto count = static_cast<double>(plane_.atoms);
-    const double all = area_ * (1 + static_cast<double>(edge_.size()) / count);
-    plane_.area = all * spacing * spacing / (plane_.kind == PlanarFault::twin ? 1 : 2);
+    const auto edge = static_cast<double>(edge_.size());
+    const double layers = plane_.kind == PlanarFault::twin ? 1 : 2;
+    const double cell = area_ / count * spacing * spacing / layers;
+    plane_.area = cell * (count + edge);
+    plane_.error = cell * std::max(1.0, 2 * std::sqrt(edge / 12));
     plane_.centre /= count;
     plane_.normal.normalize();
     return plane_;
