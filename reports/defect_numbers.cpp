@@ -32,14 +32,14 @@ Json counts(const DefectHistory& h, std::size_t frame) {
 }
 
 /// Area of the planes of a kind with its error.
-Json area(const std::vector<FaultPlane>& planes, bool twin) {
+Value area(const std::vector<FaultPlane>& planes, bool twin) {
   double sum = 0, square = 0;
   for (const FaultPlane& plane : planes) {
     if ((plane.kind == PlanarFault::twin) != twin) continue;
     sum += plane.area;
     square += plane.error * plane.error;
   }
-  return to_json(Value{sum, std::sqrt(square), dimension::area});
+  return {sum, std::sqrt(square), dimension::area};
 }
 
 Json planes_json(const std::vector<FaultPlane>& planes) {
@@ -87,8 +87,8 @@ Json frame_json(const DefectHistory& h, std::size_t frame) {
   json["bcc"] = whole(at(h, "bcc", frame));
   json["ico"] = whole(at(h, "ico", frame));
   json["repaired"] = whole(at(h, "repaired", frame));
-  json["fault_area"] = area(h.planes[frame], false);
-  json["twin_area"] = area(h.planes[frame], true);
+  json["fault_area"] = to_json(area(h.planes[frame], false));
+  json["twin_area"] = to_json(area(h.planes[frame], true));
   json["planes"] = planes_json(h.planes[frame]);
   json["lattices"] = lattices(h, frame);
   json["surface"] = nullptr;
@@ -137,6 +137,17 @@ void add_separation(Document& document, const DefectHistory& h) {
   document.line("at separation", fmt::format("{}: {}", told(h, *frame), told_counts(h, *frame)));
 }
 
+void add_greatest(Document& document, const DefectHistory& h, const char* what, bool twin) {
+  std::size_t most = 0;
+  for (std::size_t frame = 0; frame < h.planes.size(); ++frame)
+    if (area(h.planes[frame], twin).value > area(h.planes[most], twin).value) most = frame;
+  const Value greatest = area(h.planes[most], twin);
+  document.line(fmt::format("most {}", what),
+                greatest.value > 0
+                    ? fmt::format("{} at {}", to_text(greatest, document.units()), told(h, most))
+                    : "none");
+}
+
 /// Says what the atoms are if they are no fcc or hcp crystal.
 void warn_of_structure(Document& document, const DefectHistory& h) {
   const double crystal = at(h, "fcc", 0) + at(h, "hcp", 0), bulk = at(h, "bulk_defect", 0),
@@ -173,18 +184,13 @@ std::optional<std::size_t> separation(const DefectHistory& h) {
 
 void add_defects(Document& document, const DefectHistory& h) {
   const std::size_t last = h.steps.size() - 1;
-  document.line("spacing", fmt::format("{:.6g}", at(h, "spacing", 0)));
+  document.line("spacing", to_text(Value{at(h, "spacing", 0), {}, dimension::length}, document.units()));
   document.line("first frame", told_counts(h, 0));
   if (last > 0) document.line("last frame", told_counts(h, last));
   add_first_defect(document, h);
   add_separation(document, h);
-  for (const char* kind : {"fault_area", "twin_area"}) {
-    const auto areas = h.table.column(kind);
-    const auto most = std::max_element(areas.begin(), areas.end());
-    const auto frame = static_cast<std::size_t>(most - areas.begin());
-    document.line(fmt::format("most {}", kind),
-                  *most > 0 ? fmt::format("{:.4g} at {}", *most, told(h, frame)) : "0");
-  }
+  add_greatest(document, h, "faults", false);
+  add_greatest(document, h, "twins", true);
   Json frames = Json::array();
   for (std::size_t frame = 0; frame <= last; ++frame) frames.push_back(frame_json(h, frame));
   document.json("frames", std::move(frames));

@@ -8,9 +8,10 @@ namespace mdana::defects {
 namespace {
 
 // In spacings. Between neighbours of fcc and of hcp lie 3 x (1/sqrt 3)^2 = 1 in the sum of squares.
-constexpr double farthest = 0.45;       ///< of an atom from where the template has it
-constexpr double greatest_sum = 0.5;    ///< of squares: 0.2 for each of twelve
-constexpr double least_distance = 0.25; ///< to the sum of the best template of another structure
+constexpr double farthest = 0.45;        ///< of an atom from where the template has it
+constexpr double greatest_sum = 0.5;     ///< of squares: 0.2 for each of twelve
+constexpr double least_distance = 0.25;  ///< to the sum of the best template of another structure
+constexpr int least_hcp = 2;             ///< hcp neighbours of an atom that may be hcp, too
 
 /// Sum of the squared distances between a template and the atoms that fill it, one each, without what
 /// all have in common (the displacement of the atom itself); infinite if it is not filled.
@@ -39,15 +40,23 @@ double misfit(const Twelve& ideal, const Eigen::Matrix3d& map, const Neighbours&
 }
 
 /// The structure of the best template, if it fits and the other structure's fit clearly worse.
-Labelled fitted(const Eigen::Matrix3d& map, const Neighbours& all) {
+Labelled fitted(const Eigen::Matrix3d& map, const Neighbours& all, bool hcp_too) {
   double fcc = HUGE_VAL, hcp = HUGE_VAL;
   for (const Template& t : templates()) {
+    if (t.structure == Structure::hcp && !hcp_too) break;
     double& best = t.structure == Structure::fcc ? fcc : hcp;
     best = std::min(best, misfit(t.neighbours, map, all));
   }
-  const double best = std::min(fcc, hcp), between = std::min(1.0, std::max(fcc, hcp) - best);
-  if (!(best <= greatest_sum) || !(between >= least_distance)) return {};
-  return {fcc < hcp ? Structure::fcc : Structure::hcp, static_cast<float>(between)};
+  const double best = std::min(fcc, hcp), other = std::max(fcc, hcp);
+  if (!(best <= greatest_sum) || !(other >= best + least_distance)) return {};
+  return {fcc < hcp ? Structure::fcc : Structure::hcp, static_cast<float>(1 - best / greatest_sum)};
+}
+
+/// A fault goes on beside the atom: noise alone makes no hcp.
+bool beside_hcp(const Sites& sites, const Neighbours& all) {
+  return std::count_if(all.begin(), all.end(), [&](const Neighbour& n) {
+           return n.d2 < touching * touching && sites.structure[n.place] == Structure::hcp;
+         }) >= least_hcp;
 }
 
 /// The neighbours of fcc structure, nearest first, three at most.
@@ -75,7 +84,7 @@ std::size_t repair(Sites& sites) {
       search->about(place, theirs);
       const auto twelve = nearest_twelve(theirs);
       const auto map = twelve ? deformation(*twelve) : std::nullopt;
-      if (map) labelled[k] = fitted(*map, found);
+      if (map) labelled[k] = fitted(*map, found, beside_hcp(sites, found));
       if (labelled[k].structure != Structure::other) return;
     }
   });

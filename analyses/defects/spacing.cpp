@@ -124,7 +124,8 @@ double nearest_neighbour_spacing(const FrameAtoms& atoms, std::size_t threads) {
   std::vector<double> known;
   std::copy_if(found.begin(), found.end(), std::back_inserter(known), [](double d) { return d > 0; });
   if (known.empty())
-    throw InputError("fewer than two atoms at different places: there are no neighbours to look at");
+    throw InputError("fewer than two atoms at different places, or most on top of each other: no "
+                     "distance of neighbours can be found");
   std::sort(known.begin(), known.end());
   return known[known.size() / 2];
 }

@@ -32,7 +32,7 @@ struct Case {
 // Rows of ABC... with the fault in the middle, long enough for the ball.
 std::vector<Case> cases() {
   const double h = std::sqrt(2.0 / 3);
-  return {{"intrinsic", "ABCABCABCABCABCBCABCABCABCABCA", PlanarFault::intrinsic, -0.1 * h, 1.1 * h, 2},
+  return {{"intrinsic", "ABCABCABCABCABCBCABCABCABCABCA", PlanarFault::intrinsic, -0.6 * h, 0.6 * h, 2},
           {"extrinsic", "ABCABCABCABCABCBABCABCABCABCABC", PlanarFault::extrinsic, -1.1 * h, 1.1 * h, 3},
           {"twin", "ABCABCABCABCABCBACBACBACBACBA", PlanarFault::twin, -0.1 * h, 0.1 * h, 1}};
 }

@@ -105,11 +105,11 @@ class Defects(Case):
         for frame, ours in self.frames:
             positions = np.column_stack([ours[c] for c in "xyz"])
             theirs = lammps(positions, self.dir)
-            distances, nearest = cKDTree(positions).query(positions, 13)
+            distances, nearest = cKDTree(positions).query(positions, 14)
             repaired = 0
             for i, own in enumerate(ours["c_mdana_structure"]):
-                vectors = positions[nearest[i, 1:]] - positions[i]
-                adaptive = structure(vectors, (1 + np.sqrt(2)) / 2 * distances[i, 1:].mean())
+                vectors = positions[nearest[i, 1:13]] - positions[i]
+                adaptive = structure(vectors, (1 + np.sqrt(2)) / 2 * distances[i, 1:13].mean())
                 if own != adaptive:
                     self.assertEqual(adaptive, OTHER, "only what has no structure is repaired")
                     repaired += 1
