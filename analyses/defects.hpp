@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include "analyses/analysis.hpp"
+#include "analyses/value.hpp"
 
 namespace mdana {
 
@@ -35,6 +37,33 @@ struct FaultPlane {
   std::size_t atoms = 0;           ///< hcp atoms
 };
 
+/// A closed part of a surface, through the centres of the atoms at it.
+struct SurfacePart {
+  double area = 0;    ///< [length^2]
+  double volume = 0;  ///< enclosed [length^3]; negative for the wall of a void
+  std::size_t triangles = 0;
+};
+
+/// A surface as triangles between atoms, corners against the clock seen from outside.
+struct SurfaceMesh {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< atoms of the frame
+  std::vector<std::uint32_t> part;                      ///< of each triangle
+  std::vector<SurfacePart> parts;                       ///< greatest area first
+
+  double area() const;
+  double volume() const;      ///< within the outer parts, less that of voids
+  std::size_t voids() const;  ///< parts with a negative volume
+  /// Of the ball of the same volume, and half the height of a cube's layer more, a/(2 sqrt 3), since the
+  /// mesh runs through the centres of atoms [length].
+  double radius(double spacing) const;
+};
+
+/// The surfaces of bodies 1 and 2, each as if it were alone, and where they cover each other.
+struct BodySurfaces {
+  std::array<SurfaceMesh, 2> body;
+  Value patch{0, {}, dimension::area};  ///< where they cover each other
+};
+
 /// What is known of each atom of a frame, in the order of FrameAtoms; what was not asked for is empty.
 struct AtomLabels {
   std::vector<Structure> structure;
@@ -50,6 +79,7 @@ struct FrameDefects {
   std::int64_t step = 0;
   AtomLabels labels;
   std::vector<FaultPlane> planes;  ///< greatest first
+  BodySurfaces surfaces;           ///< if they are asked for
 };
 
 struct DefectSettings {
@@ -59,6 +89,7 @@ struct DefectSettings {
   bool by_cgal = false;           ///< neighbours by CGAL's k-d tree: slower, same labels
   bool ids = true;                ///< the dump has the column id
   bool types = false;             ///< the types of the atoms go into the product
+  bool surfaces = false;          ///< of the bodies, and the patch where they cover each other
   bool labels = false;            ///< margins and clusters, too: for a product with the atoms
   /// Called for each frame in order, one late.
   std::function<void(const FrameHeader&, const FrameAtoms&, const FrameDefects&)> product = {};
@@ -69,7 +100,8 @@ struct DefectSettings {
 /// and repaired; fault_area, twin_area [length^2] of all and of body 1, 2; defect_x, defect_y,
 /// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
 /// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
-/// atoms that have it (zeros without a lattice).
+/// atoms that have it (zeros without a lattice). If surfaces are asked for: surface_area1, 2,
+/// surface_volume1, 2, surface_radius1, 2, voids1, 2, patch_area and patch_area_error.
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
 
 /// Turn of the lattice of a body (1, 2) in a row; nothing without one.

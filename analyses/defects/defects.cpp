@@ -11,6 +11,7 @@
 #include "analyses/defects/labels.hpp"
 #include "analyses/defects/planes.hpp"
 #include "analyses/defects/spacing.hpp"
+#include "analyses/defects/surface.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -63,6 +64,28 @@ std::vector<T> by_atom(const CellGrid& grid, const std::vector<T>& by_place) {
   return values;
 }
 
+void add_surface_columns(std::vector<ColumnSpec>& all) {
+  for (const char* body : {"1", "2"})
+    for (const auto& [name, dimension] : {std::pair{"surface_area", dimension::area}, {"surface_volume", dimension::volume},
+                                          {"surface_radius", dimension::length}, {"voids", dimension::none}})
+      all.push_back({std::string(name) + body, dimension});
+  all.push_back({"patch_area", dimension::area});
+  all.push_back({"patch_area_error", dimension::area});
+}
+
+/// In the order of these columns.
+void fill_surfaces(const BodySurfaces& surfaces, double spacing, std::span<double> row) {
+  std::size_t next = 0;
+  for (const SurfaceMesh& mesh : surfaces.body) {
+    row[next++] = mesh.area();
+    row[next++] = mesh.volume();
+    row[next++] = mesh.radius(spacing);
+    row[next++] = static_cast<double>(mesh.voids());
+  }
+  row[next++] = surfaces.patch.value;
+  row[next] = surfaces.patch.error.value_or(0);
+}
+
 /// A product on its way to the settings' function.
 class DefectProduct final : public Product {
  public:
@@ -102,6 +125,7 @@ class Defects final : public FrameAnalysis {
     for (const char* body : {"1", "2"})
       for (const char* part : {"lattice_w", "lattice_x", "lattice_y", "lattice_z", "lattice_share"})
         all.push_back({std::string(part) + body, dimension::none});
+    if (settings_.surfaces) add_surface_columns(all);
     return all;
   }
 
@@ -117,15 +141,16 @@ class Defects final : public FrameAnalysis {
     if (settings_.labels) sites.margin.resize(atoms->size());
     FrameDefects found;
     found.step = header.step;
-    fill(*atoms, sites, row, found.planes);
+    const auto rest = fill(*atoms, sites, row, found.planes);
+    if (settings_.surfaces) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), grid.spacing, rest);
     if (!settings_.product) return nullptr;
     found.labels = labels(sites);
     return std::make_unique<DefectProduct>(settings_, header, std::move(atoms), std::move(found));
   }
 
  private:
-  /// Labels the atoms and fills the row, in the order of the columns.
-  void fill(const FrameAtoms& atoms, Sites& sites, std::span<double> row,
+  /// Labels the atoms and fills the row, in the order of the columns; what is left of it.
+  std::span<double> fill(const FrameAtoms& atoms, Sites& sites, std::span<double> row,
             std::vector<FaultPlane>& planes) const {
     label_structures(sites, settings_.by_cgal);
     const std::size_t repaired = repair(sites);
@@ -153,6 +178,7 @@ class Defects final : public FrameAnalysis {
                                  lattice.turn.z(), lattice.share})
         put(value);
     }
+    return row.subspan(static_cast<std::size_t>(next - row.begin()));
   }
 
   /// Of a body, or of all (0).

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analyses/defects/labels.hpp"
+
+namespace mdana::defects {
+
+/// A tetrahedron between atoms is filled if its circumradius is less [spacings]: the holes of fcc and
+/// hcp have 0.61 and 0.71, a vacancy 1, the outside more.
+inline constexpr double filled_below = 0.92;
+
+/// Atoms of which some, the seeds, are of interest, and all others that decide how the seeds are
+/// connected: all within 2 filled_below of a seed. A tetrahedron with a seed and a circumradius below
+/// filled_below is Delaunay among these atoms if and only if it is among all: its circumsphere holds
+/// no others.
+struct Zone {
+  std::vector<std::uint32_t> atom;   ///< index in the frame, ascending
+  std::vector<Eigen::Vector3d> at;   ///< [spacings], from an origin of the zone's own
+  std::vector<std::int64_t> number;  ///< of the atom wherever it is: its id, else its index
+  std::vector<char> seed;
+
+  std::size_t size() const { return atom.size(); }
+};
+
+/// The zone about the seeds, by place, among the atoms of one body (0: of all).
+Zone zone_about(const Sites& sites, const FrameAtoms& atoms, const std::vector<char>& seeds,
+                BodyIndex body);
+
+using Corners = std::array<std::uint32_t, 3>;  ///< atoms of the zone
+
+/// The filled tetrahedra with a seed.
+struct ZoneCells {
+  std::vector<std::array<std::uint32_t, 4>> cells;  ///< corners ascending, in order; if wanted
+  /// Sides with a seed that no two of them share, against the clock seen from outside, the lowest corner
+  /// first; in order.
+  std::vector<Corners> open;
+};
+
+/// Triangulates in slabs of some 30000 atoms, which threads share; the result does not depend on slabs
+/// or threads. Points are moved by up to 1e-9 spacings, by their number, so that no four neighbours of a
+/// perfect lattice lie on a sphere by chance. zone_cells.cpp, the only source with CGAL's triangulation.
+ZoneCells triangulate(const Zone& zone, bool cells, std::size_t threads);
+
+}  // namespace mdana::defects

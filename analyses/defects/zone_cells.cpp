@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <Eigen/LU>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "analyses/defects/zone.hpp"
+
+namespace mdana::defects {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
+using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
+constexpr std::size_t atoms_a_slab = 30000;
+constexpr double shift = 1e-9;  ///< [spacings]
+
+/// A number from -1 to 1 that depends on an atom and an axis alone (Vigna's splitmix64).
+double scatter(std::int64_t number, std::uint64_t axis) {
+  std::uint64_t z = (static_cast<std::uint64_t>(number) * 3 + axis) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
+}
+
+std::vector<Eigen::Vector3d> shifted(const Zone& zone) {
+  std::vector<Eigen::Vector3d> points = zone.at;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      points[i][k] += shift * scatter(zone.number[i], static_cast<std::uint64_t>(k));
+  return points;
+}
+
+/// Circumcentre relative to the first corner; not finite for a flat one.
+Eigen::Vector3d circumcentre(const std::vector<Eigen::Vector3d>& points, const Tetrahedron& t) {
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k) edges.row(k) = points[t[static_cast<std::size_t>(k) + 1]] - points[t[0]];
+  return edges.inverse() * (edges.rowwise().squaredNorm() / 2);
+}
+
+/// Atoms between two coordinates, and those beyond that may touch a circumsphere about them.
+struct Slab {
+  double low, high;
+  std::vector<std::uint32_t> atoms;
+};
+
+/// Cuts across the longest side; where, follows from the atoms alone.
+std::vector<Slab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen::Index& axis) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  box.sizes().maxCoeff(&axis);
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto along = [&](std::uint32_t i) { return points[i][axis]; };
+  std::ranges::sort(order, {}, along);
+  const std::size_t count = points.size() / atoms_a_slab + 1;
+  std::vector<Slab> slabs;
+  for (std::size_t k = 0; k < count; ++k) {
+    Slab slab{k == 0 ? -HUGE_VAL : along(order[k * points.size() / count]),
+              k + 1 == count ? HUGE_VAL : along(order[(k + 1) * points.size() / count]), {}};
+    const auto first = std::ranges::lower_bound(order, slab.low - filled_below, {}, along);
+    const auto end = std::ranges::upper_bound(order, slab.high + filled_below, {}, along);
+    slab.atoms.assign(first, end);
+    slabs.push_back(std::move(slab));
+  }
+  return slabs;
+}
+
+/// The triangulation of a slab, and which of its cells are its own.
+class SlabCells {
+ public:
+  SlabCells(const Zone& zone, const std::vector<Eigen::Vector3d>& points, const Slab& slab, Eigen::Index axis)
+      : zone_(zone), points_(points), slab_(slab), axis_(axis) {
+    std::vector<std::pair<Kernel::Point_3, std::uint32_t>> numbered;
+    for (const std::uint32_t i : slab.atoms)
+      numbered.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()), i);
+    delaunay_.insert(numbered.begin(), numbered.end());
+  }
+
+  void collect(ZoneCells& found, bool cells) const {
+    for (const auto cell : delaunay_.finite_cell_handles()) {
+      if (!owned(cell)) continue;
+      if (cells) found.cells.push_back(corners(cell));
+      for (int side = 0; side < 4; ++side)
+        if (!owned(cell->neighbor(side))) add(found.open, cell, side);
+    }
+  }
+
+ private:
+  using Handle = Delaunay::Cell_handle;
+
+  /// Ascending, so that what is computed of them is the same in every slab.
+  Tetrahedron corners(const Handle& cell) const {
+    Tetrahedron t;
+    for (int k = 0; k < 4; ++k) t[static_cast<std::size_t>(k)] = cell->vertex(k)->info();
+    std::ranges::sort(t);
+    return t;
+  }
+
+  /// Filled, with a seed, and its circumcentre within the slab.
+  bool owned(const Handle& cell) const {
+    if (delaunay_.is_infinite(cell)) return false;
+    const Tetrahedron t = corners(cell);
+    if (std::ranges::none_of(t, [&](std::uint32_t i) { return zone_.seed[i]; })) return false;
+    const Eigen::Vector3d centre = circumcentre(points_, t);
+    const double along = points_[t[0]][axis_] + centre[axis_];
+    return centre.squaredNorm() < filled_below * filled_below && along >= slab_.low && along < slab_.high;
+  }
+
+  /// The corners of the side opposite to a corner of a cell, as CGAL turns cells, seen from outside.
+  static constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+  void add(std::vector<Corners>& open, const Handle& cell, int side) const {
+    Corners facet;
+    for (std::size_t k = 0; k < 3; ++k) facet[k] = cell->vertex(outward[side][k])->info();
+    std::ranges::rotate(facet, std::ranges::min_element(facet));
+    if (std::ranges::any_of(facet, [&](std::uint32_t i) { return zone_.seed[i]; })) open.push_back(facet);
+  }
+
+  const Zone& zone_;
+  const std::vector<Eigen::Vector3d>& points_;
+  const Slab& slab_;
+  Eigen::Index axis_;
+  Delaunay delaunay_;
+};
+
+/// Sorts the facets and removes those that two slabs share, each turned to its own side.
+void close_shared(std::vector<Corners>& open) {
+  const auto unturned = [](const Corners& f) { return Corners{f[0], std::min(f[1], f[2]), std::max(f[1], f[2])}; };
+  std::ranges::sort(open, [&](const Corners& a, const Corners& b) {
+    return std::pair(unturned(a), a) < std::pair(unturned(b), b);
+  });
+  std::vector<Corners> left;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (i + 1 < open.size() && unturned(open[i]) == unturned(open[i + 1]))
+      ++i;
+    else
+      left.push_back(open[i]);
+  }
+  open = std::move(left);
+}
+
+}  // namespace
+
+ZoneCells triangulate(const Zone& zone, bool cells, std::size_t threads) {
+  if (zone.size() < 4) return {};
+  const std::vector<Eigen::Vector3d> points = shifted(zone);
+  Eigen::Index axis = 0;
+  const std::vector<Slab> slabs = slabs_of(points, axis);
+  std::vector<ZoneCells> parts(slabs.size());
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t k) {
+      SlabCells(zone, points, slabs[k], axis).collect(parts[k], cells);
+    });
+  });
+  ZoneCells all;
+  for (ZoneCells& part : parts) {
+    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
+    all.open.insert(all.open.end(), part.open.begin(), part.open.end());
+    part = {};
+  }
+  std::ranges::sort(all.cells);
+  close_shared(all.open);
+  return all;
+}
+
+}  // namespace mdana::defects
