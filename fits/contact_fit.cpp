@@ -12,6 +12,7 @@
 #include "fits/contact_intervals.hpp"
 #include "fits/contact_problem.hpp"
 #include "fits/cross_validation.hpp"
+#include "fits/residual_memory.hpp"
 #include "fits/weak_direction.hpp"
 
 namespace mdana {
@@ -132,7 +133,7 @@ std::vector<double> plain(const Eigen::VectorXd& ln) {
 void describe(ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
   const ContactModel& model = problem.model();
   const Eigen::MatrixXd by = problem.coordinates().derivatives(best.fit.values);
-  const Eigen::MatrixXd covariance = by * best.fit.covariance * by.transpose();
+  const Eigen::MatrixXd covariance = result.residual_memory * by * best.fit.covariance * by.transpose();
   const Eigen::VectorXd error = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const auto values = plain(best.ln);
   std::vector<std::string> names;
@@ -153,11 +154,13 @@ void describe(ContactFit& result, const ContactProblem& problem, const ContactOp
 void score(ContactFit& result, const ContactModel& model, const Eigen::VectorXd& ln) {
   for (std::size_t i = 0; i < model.residuals(); ++i) {
     const double r = model.residual(i, ln);
-    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.predicted(i, ln), r});
+    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.sample_of(i), model.predicted(i, ln), r});
     result.chi2 += r * r;
   }
-  const auto n = static_cast<double>(model.residuals()), k = static_cast<double>(ln.size());
-  const double deviance = result.known_errors ? result.chi2 : n * std::log(result.chi2 / n);
+  result.residual_memory = residual_memory(result.points);
+  const double all = static_cast<double>(model.residuals()), n = all / result.residual_memory;
+  const auto k = static_cast<double>(ln.size());
+  const double deviance = result.known_errors ? result.chi2 / result.residual_memory : n * std::log(result.chi2 / all);
   result.aic = deviance + 2 * k;
   result.bic = deviance + k * std::log(n);
 }
@@ -178,9 +181,10 @@ void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_
   if (cross_validation) cross_validate(result, problem, nullptr, seen);
 }
 
-/// The one velocity of all collisions, if there is only one: elasticity and dissipation that grow with
-/// the load are told apart by how they depend on it.
+/// The one velocity of all collisions, if there is only one and none was followed: elasticity and
+/// dissipation that grow with the load are told apart by how they depend on it.
 std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
+  if (std::ranges::any_of(seen, [](const auto& s) { return !s.motion.empty(); })) return std::nullopt;
   const auto first = seen.front().find("v");
   for (const ObservedCollision& s : seen)
     if (s.find("v") != first) return std::nullopt;
@@ -226,8 +230,8 @@ void fit_all(ContactFit& result, ContactProblem& problem, std::span<const Observ
   problem.set(exact);
   const ContactOptimum& best = optima.front();
   for (const ContactOptimum& o : optima) result.minima.push_back({plain(o.ln), o.cost, o.starts});
-  describe(result, problem, best);
   score(result, problem.model(), best.ln);
+  describe(result, problem, best);
   result.digits = best.fit.digits;
   result.reason = doubt(result, problem, best, seen, settings.free.size());
   if (result.reason.empty()) add_intervals(result, problem, best, settings.intervals);

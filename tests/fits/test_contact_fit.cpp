@@ -139,6 +139,14 @@ TEST(ContactFit, UnitsAreOfNoAccount) {
   const double pressure = si.mass / (si.length * si.time * si.time);
   const Parameters constants{{"E", 65.5 * pressure}, {"gamma", 3.17 * si.mass / (si.time * si.time)},
                              {"nu", 0.25}, {"spacing", 1.091 * si.length}};
+  const auto in_si = [&](const char* law, const Parameters& truth, const Parameters& given) {
+    expect_found(fit(law, study(*find_collision_law(law), truth, given, velocities, 1e-3, si)), truth);
+  };
+  in_si("stress", {{"C", 2.1e-4 * si.time / si.length}, {"B", 6.2}, {"zeta", 4}}, constants);
+  in_si("jkr", {{"gamma", constants.at("gamma")}}, without(constants, "gamma"));
+  // D has the dimension of velocity^-alpha length^(2 - beta).
+  in_si("power", {{"D", 118 * std::pow(si.length / si.time, -3) * std::sqrt(si.length)}, {"alpha", 3}, {"beta", 1.5}},
+        constants);
   const Parameters krijt{{"T_vis", 0.04 * si.time}};
   expect_found(fit("krijt", study(*find_collision_law("krijt"), krijt, constants, velocities, 1e-3, si)), krijt);
   const Parameters plastic{{"E", 50 * pressure}, {"Y", 6 * pressure}};
