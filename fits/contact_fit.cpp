@@ -12,6 +12,7 @@
 #include "fits/contact_intervals.hpp"
 #include "fits/contact_problem.hpp"
 #include "fits/cross_validation.hpp"
+#include "fits/repeats.hpp"
 #include "fits/weak_direction.hpp"
 
 namespace mdana {
@@ -181,10 +182,15 @@ void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_
 /// The one velocity of all collisions, if there is only one: elasticity and dissipation that grow with
 /// the load are told apart by how they depend on it.
 std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
-  const auto first = seen.front().find("v");
-  for (const ObservedCollision& s : seen)
-    if (s.find("v") != first) return std::nullopt;
-  return first;
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const ObservedCollision& s : seen) {
+    const auto v = s.find("v");
+    if (!v) return std::nullopt;
+    least = std::min(least, *v);
+    greatest = std::max(greatest, *v);
+  }
+  if (greatest > (1 + same_velocity_of_runs) * least) return std::nullopt;
+  return least;
 }
 
 /// Why the parameters cannot be believed; empty if they can.
