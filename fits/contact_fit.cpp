@@ -12,6 +12,7 @@
 #include "fits/contact_intervals.hpp"
 #include "fits/contact_problem.hpp"
 #include "fits/cross_validation.hpp"
+#include "fits/repeats.hpp"
 #include "fits/residual_memory.hpp"
 #include "fits/weak_direction.hpp"
 
@@ -184,11 +185,8 @@ void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_
 /// The one velocity of all collisions, if there is only one and none was followed: elasticity and
 /// dissipation that grow with the load are told apart by how they depend on it.
 std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
-  if (std::ranges::any_of(seen, [](const auto& s) { return !s.motion.empty(); })) return std::nullopt;
-  const auto first = seen.front().find("v");
-  for (const ObservedCollision& s : seen)
-    if (s.find("v") != first) return std::nullopt;
-  return first;
+#include "fits/repeats.hpp"
+#include "fits/residual_memory.hpp"
 }
 
 /// Why the parameters cannot be believed; empty if they can.

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "fits/lj_particles.hpp"
+#include "fits/repeats.hpp"
 #include "readers/input_error.hpp"
 #include "reports/whole_file.hpp"
 #ifdef MDANA_WITH_HDF5
@@ -38,18 +40,18 @@ bool is_json(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-void read_file(const std::filesystem::path& path, Observations& all) {
+/// Adds what a file tells; what mdana compress tells, to `compressed`.
+void read_file(const std::filesystem::path& path, Wanted wanted, Observations& all,
+               std::vector<ObservedCollision>& compressed) {
   WholeFile content = read_whole(path);
   const bool hdf5 = is_hdf5(content.text);
   if (hdf5) content.text = hdf5_document(path);
-  const bool document = hdf5 || is_json(content.text);
-  if (document) {
-    all.seen.push_back(parse_collision_document(content.text, path.string()));
-  } else {
-    for (ObservedCollision& c : parse_collision_table(content.text, path.string()))
-      all.seen.push_back(std::move(c));
-  }
-  all.files.push_back({content.record, document ? "collision" : "table"});
+  ObservedDocument read = hdf5 || is_json(content.text)
+                              ? parse_observed_document(content.text, path.string(), wanted)
+                              : ObservedDocument{parse_collision_table(content.text, path.string()), "table"};
+  auto& into = read.command == "compress" ? compressed : all.seen;
+  std::ranges::move(read.seen, std::back_inserter(into));
+  all.files.push_back({content.record, read.command});
 }
 
 /// What was seen with and what without an error; sticking collisions need none.
@@ -78,9 +80,12 @@ bool Observations::given(std::string_view name) const {
   return std::ranges::any_of(seen, [&](const ObservedCollision& s) { return s.find(name).has_value(); });
 }
 
-Observations read_observations(std::span<const std::filesystem::path> files) {
+Observations read_observations(std::span<const std::filesystem::path> files, Wanted wanted) {
   Observations all;
-  for (const auto& path : files) read_file(path, all);
+  std::vector<ObservedCollision> compressed;
+  for (const auto& path : files) read_file(path, wanted, all, compressed);
+  set_errors_by_repeats(compressed);
+  std::ranges::move(compressed, std::back_inserter(all.seen));
   const Errors errors = errors_of(all.seen);
   if (errors.with && errors.without)
     throw InputError(fmt::format("{}: {} has no standard error, but others have one ({}); give all or none",

@@ -41,11 +41,11 @@ void add_contact_fit_options(Options& options) {
       ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
 }
 
-Observations observations_option(const Values& values, std::span<const std::string> free) {
+Observations observations_option(const Values& values, std::span<const std::string> free, Wanted wanted) {
   std::vector<std::string> names{values["input"].as<std::string>()};
   if (values.count("more"))
     for (const std::string& name : values["more"].as<std::vector<std::string>>()) names.push_back(name);
-  Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()));
+  Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()), wanted);
   if (!values["table2"].as<bool>()) return all;
   std::vector<std::string> leave(free.begin(), free.end());
   for (const NamedNumber& n : constants_option(values)) leave.push_back(n.name);

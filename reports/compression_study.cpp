@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/compression_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "fits/repeats.hpp"
+
+namespace mdana {
+namespace {
+
+constexpr double same_density = 0.03;  ///< relative: aggregates of one filling factor
+
+Measured measured(const Value& value) {
+  Measured m{value.value};
+  if (value.error && *value.error > 0) m.error = *value.error;
+  return m;
+}
+
+/// A run as fits see it. Two equal spheres with the R* and m* of the pair.
+ObservedCollision observed(const CompressedRun& run, const Compressing& c, const Value& delta_max, const Value& t_max) {
+  ObservedCollision seen;
+  seen.given = {{"R", 2 * c.impact.radius}, {"m", 2 * c.impact.mass}, {"v", c.impact.velocity}};
+  seen.delta_max = measured(delta_max);
+  seen.t_max = measured(t_max);
+  seen.place = run.dump;
+  return seen;
+}
+
+/// Runs of one velocity, whatever the radius.
+std::vector<std::vector<std::size_t>> by_velocity(std::span<const ObservedCollision> seen) {
+  std::vector<ObservedCollision> alike(seen.begin(), seen.end());
+  for (ObservedCollision& s : alike) s.given = {{"R", 1}, {"v", *s.find("v")}};
+  return repeats_of(alike);
+}
+
+std::optional<RadiusLineAt> line_of(std::span<const ObservedCollision> seen, const std::vector<std::size_t>& group) {
+  std::vector<double> radius, delta, errors;
+  double velocity = 0;
+  for (const std::size_t i : group) {
+    radius.push_back(*seen[i].find("R"));
+    delta.push_back(seen[i].delta_max.value);
+    if (seen[i].delta_max.error > 0) errors.push_back(seen[i].delta_max.error);
+    velocity += *seen[i].find("v") / static_cast<double>(group.size());
+  }
+  const auto [least, greatest] = std::ranges::minmax(radius);
+  if (greatest - least <= same_radius_of_runs * greatest) return std::nullopt;
+  if (errors.size() < radius.size()) errors.clear();
+  return RadiusLineAt{velocity, group.size(), fit_radius_line(radius, delta, errors)};
+}
+
+/// delta_max from 2 R_agg against R_agg at each velocity.
+std::vector<RadiusLineAt> lines_of(const CompressionStudy& study) {
+  std::vector<ObservedCollision> seen;
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const Value& delta = study.maximum(i).delta;
+    if (std::isnan(delta.value) || !(study.numbers[i].impact.velocity > 0)) continue;
+    seen.push_back(observed(study.runs[i], study.numbers[i], delta, {}));
+    seen.back().given[0].value = study.runs[i].radius();
+  }
+  set_errors_by_repeats(seen);
+  std::vector<RadiusLineAt> lines;
+  for (const auto& group : by_velocity(seen))
+    if (const auto line = line_of(seen, group)) lines.push_back(*line);
+  return lines;
+}
+
+/// Mean of the offsets, weighted by their errors if all are known.
+SurfaceOffset offset_of(const std::vector<RadiusLineAt>& lines) {
+  const auto known = [](const RadiusLineAt& l) { return l.line.offset.error && *l.line.offset.error > 0; };
+  const bool weighted = std::ranges::all_of(lines, known);
+  double sum = 0, weights = 0;
+  for (const RadiusLineAt& l : lines) {
+    const double weight = weighted ? 1 / (*l.line.offset.error * *l.line.offset.error) : 1;
+    sum += weight * l.line.offset.value;
+    weights += weight;
+  }
+  SurfaceOffset offset{{sum / weights, {}, dimension::length}, "delta_max against R_agg of this study"};
+  if (weighted) offset.value.error = 1 / std::sqrt(weights);
+  return offset;
+}
+
+void set_numbers(CompressionStudy& study) {
+  study.numbers.clear();
+  for (const CompressedRun& run : study.runs) study.numbers.push_back(compressing(run, study.offset));
+}
+
+void collect(CompressionStudy& study) {
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const MaximumCompression& m = study.maximum(i);
+    if (std::isnan(m.delta.value) || !(study.numbers[i].impact.velocity > 0)) continue;
+    study.fitted.push_back(i);
+    study.seen.push_back(observed(study.runs[i], study.numbers[i], m.delta, m.time));
+  }
+  if (!study.seen.empty()) study.repeated = set_errors_by_repeats(study.seen);
+}
+
+/// Why E* and Y are not even looked for; empty if they are.
+std::string obstacle(const CompressionStudy& study) {
+  if (study.seen.size() < 2)
+    return "fewer than two runs tell delta_max and v; runs at several velocities across v_Y are needed";
+  std::vector<double> density;
+  for (const std::size_t i : study.fitted) density.push_back(study.numbers[i].density);
+  const auto [least, greatest] = std::ranges::minmax(density);
+  if (greatest > (1 + same_density) * least)
+    return fmt::format("the aggregates' densities go from {:g} to {:g}: E* and Y depend on the filling factor; give runs "
+                       "of one at a time", least, greatest);
+  return find_collision_law("andrews") ? "" : "this build has no law andrews";
+}
+
+ContactFit fit_of(const std::vector<ObservedCollision>& seen) {
+  const CollisionLaw& law = *find_collision_law("andrews");
+  ContactFitSettings settings;
+  settings.free = usual_free_parameters(law);
+  return fit_contact(law, seen, settings);
+}
+
+void fit(CompressionStudy& study) {
+  study.no_fit = obstacle(study);
+  if (!study.no_fit.empty()) return;
+  study.fit = fit_of(study.seen);
+  std::vector<ObservedCollision> counted = study.seen;
+  for (std::size_t k = 0; k < counted.size(); ++k)
+    counted[k].given[1].value = 2 * study.numbers[study.fitted[k]].counted_mass;
+  study.counted_fit = fit_of(counted);
+}
+
+}  // namespace
+
+bool CompressionStudy::fit_failed() const {
+  return fit && !fit->usable && by_velocity(seen).size() > 1;
+}
+
+CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
+                                   const std::optional<SurfaceOffset>& offset) {
+  CompressionStudy study;
+  study.split = split;
+  study.runs = std::move(runs);
+  set_numbers(study);
+  study.lines = lines_of(study);
+  if (offset)
+    study.offset = *offset;
+  else if (!study.lines.empty())
+    study.offset = offset_of(study.lines);
+  set_numbers(study);
+  collect(study);
+  fit(study);
+  return study;
+}
+
+}  // namespace mdana

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "fits/andrews_limits.hpp"
+#include "fits/repeats.hpp"
+#include "reports/collision_summary.hpp"
+#include "reports/compression_study.hpp"
+#include "reports/contact_fitted.hpp"
+
+namespace mdana {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t pairs_told = 41;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Value value_of(const Estimate& estimate) {
+  Value value{estimate.value, {}, dimension::pressure};
+  if (std::isfinite(estimate.error)) value.error = estimate.error;
+  return value;
+}
+
+void tell_lines(Document& document, const CompressionStudy& study) {
+  Json all = Json::array();
+  for (const RadiusLineAt& l : study.lines) {
+    all.push_back({{"v", l.velocity}, {"runs", l.runs}, {"slope", to_json(l.line.slope)},
+                   {"intercept", to_json(l.line.intercept)}, {"covariance", number(l.line.covariance)},
+                   {"offset", to_json(l.line.offset)}});
+    document.line(fmt::format("delta_max at v = {:.4g}", l.velocity),
+                  fmt::format("({}) R_agg + ({}); offset {}", to_text(l.line.slope, document.units()),
+                              to_text(l.line.intercept, document.units()), to_text(l.line.offset, document.units())));
+  }
+  document.json("radius_lines", std::move(all));
+  document.number("offset", study.offset.value, {{"source", study.offset.source}});
+  document.line("offset from", study.offset.source);
+  if (study.lines.empty())
+    document.left_out("delta_max against R_agg", "runs at one velocity with two radii and more are needed");
+}
+
+/// Mean, its error by the scatter of the runs, and that.
+Json scatter_json(const Scatter& s) {
+  return {{"value", number(s.mean)},
+          {"error", number(s.deviation / std::sqrt(static_cast<double>(s.count)))},
+          {"spread", number(s.deviation)}};
+}
+
+std::string scatter_text(const Scatter& s) {
+  return s.count > 1 ? fmt::format("{:.5g} (spread {:.2g})", s.mean, s.deviation) : fmt::format("{:.5g}", s.mean);
+}
+
+/// The repeats of one radius and velocity.
+class Condition {
+ public:
+  Condition(const CompressionStudy& study, const std::vector<std::size_t>& group) : study_(study) {
+    for (const std::size_t k : group) {
+      const std::size_t i = study.fitted[k];
+      const Compressing& c = study.numbers[i];
+      strain_.push_back(study.maximum(i).delta.value / c.effective_radius);
+      if (!std::isnan(study.maximum(i).time.value)) time_.push_back(study.maximum(i).time.value);
+      radius_.push_back(c.effective_radius);
+      velocity_.push_back(c.impact.velocity);
+      stuck_ += study.runs[i].curve.outcome == Outcome::stick;
+      bounced_ += study.runs[i].curve.outcome == Outcome::bounce;
+    }
+  }
+
+  void tell(Document& document, Json& all) const {
+    const Scatter strain = scatter_of(strain_), time = scatter_of(time_);
+    const double radius = scatter_of(radius_).mean, velocity = scatter_of(velocity_).mean;
+    const BinomialShare p = wilson(stuck_, stuck_ + bounced_);
+    all.push_back({{"R_eff", radius}, {"v", velocity}, {"runs", strain_.size()}, {"delta_max_over_R_eff", scatter_json(strain)},
+                   {"t_max", scatter_json(time)}, {"stick", stuck_}, {"bounce", bounced_},
+                   {"sticking_probability", {{"value", number(p.value)}, {"low", number(p.low)}, {"high", number(p.high)}}}});
+    document.line(fmt::format("R_eff {:.5g}, v {:.4g}", radius, velocity),
+                  fmt::format("{} run{}: delta_max/R_eff {}, t_max {}; {} stick, {} bounce", strain_.size(),
+                              strain_.size() == 1 ? "" : "s", scatter_text(strain), scatter_text(time), stuck_, bounced_));
+  }
+
+ private:
+  const CompressionStudy& study_;
+  std::vector<double> strain_, time_, radius_, velocity_;
+  std::size_t stuck_ = 0, bounced_ = 0;
+};
+
+void tell_conditions(Document& document, const CompressionStudy& study) {
+  Json all = Json::array();
+  for (const auto& group : repeats_of(study.seen)) Condition(study, group).tell(document, all);
+  document.json("conditions", std::move(all));
+}
+
+/// The pairs of the mean strain, if all runs have one velocity.
+void tell_degeneracy(Document& document, const CompressionStudy& study) {
+  std::vector<double> strain, velocity;
+  for (const std::size_t i : study.fitted) {
+    strain.push_back(study.maximum(i).delta.value / study.numbers[i].impact.radius);
+    velocity.push_back(study.numbers[i].impact.velocity);
+  }
+  if (strain.empty() || std::ranges::max(velocity) > (1 + same_velocity_of_runs) * std::ranges::min(velocity)) return;
+  const Scatter s = scatter_of(strain);
+  Impact impact = study.numbers[study.fitted[0]].impact;
+  impact.velocity = scatter_of(velocity).mean;
+  Value delta{s.mean * impact.radius, {}, dimension::length};
+  if (s.count > 1) delta.error = s.deviation / std::sqrt(static_cast<double>(s.count)) * impact.radius;
+  add_degeneracy(document, impact, delta);
+}
+
+void tell_fit(Document& document, const CompressionStudy& study) {
+  if (!study.fit) return document.left_out("E_star, Y", study.no_fit);
+  const ContactFit& fit = *study.fit;
+  const CollisionLaw& law = *find_collision_law("andrews");
+  if (fit.usable) {
+    document.number("E_star", value_of(fit.parameters[0]));
+    document.number("Y", value_of(fit.parameters[1]));
+  } else {
+    document.json("E_star", nullptr);
+    document.json("Y", nullptr);
+    document.left_out("E_star, Y", fit.reason);
+  }
+  if (study.counted_fit && study.counted_fit->usable) {
+    document.number("with_counted_mass.E_star", value_of(study.counted_fit->parameters[0]));
+    document.number("with_counted_mass.Y", value_of(study.counted_fit->parameters[1]));
+  }
+  ContactFitSettings settings;
+  settings.free = usual_free_parameters(law);
+  add_contact_fit(document, law, settings, study.seen, fit);
+}
+
+/// Of one run: the impact with the E* that was found.
+Impact impact_of(const CompressionStudy& study, std::size_t run, double modulus) {
+  Impact impact = study.numbers[run].impact;
+  impact.modulus = modulus;
+  return impact;
+}
+
+}  // namespace
+
+void add_degeneracy(Document& document, const Impact& impact, const Value& delta_max) {
+  if (!(delta_max.value > 0 && impact.velocity > 0)) return;
+  const auto pairs = degenerate_pairs(impact, delta_max.value, pairs_told);
+  Json modulus = Json::array(), strength = Json::array(), share = Json::array();
+  for (const DegeneratePair& p : pairs) {
+    modulus.push_back(number(p.modulus));
+    strength.push_back(p.yield_strength);
+    share.push_back(p.yield_share);
+  }
+  document.json("degeneracy", {{"v", impact.velocity}, {"delta_max_over_R_star", delta_max.value / impact.radius},
+                               {"E_star", modulus}, {"Y", strength}, {"delta_Y_over_delta_max", share}});
+  const double relative = delta_max.error ? *delta_max.error / delta_max.value : none;
+  const auto add = [&](const char* name, double value, double power) {
+    Value v{value, {}, dimension::pressure};
+    if (delta_max.error) v.error = power * relative * value;
+    document.number(name, v);
+  };
+  add("E_star_if_elastic", pairs.front().modulus, 2.5);
+  add("Y_if_rigid_plastic", pairs.back().yield_strength, 2);
+}
+
+void add_compression_study(Document& document, const CompressionStudy& study) {
+  document.text("split", std::string(split_names[static_cast<std::size_t>(study.split)]));
+  tell_lines(document, study);
+  tell_conditions(document, study);
+  document.json("errors_from", study.repeated ? "the scatter of repeated runs, with the sampling of each"
+                                              : "no repeated runs: not known");
+  tell_degeneracy(document, study);
+  tell_fit(document, study);
+}
+
+Table compression_study_table(const CompressionStudy& study) {
+  std::vector<std::string> dumps;
+  for (const CompressedRun& run : study.runs) dumps.push_back(run.dump);
+  Table table;
+  const auto add = [&](ColumnSpec spec, auto&& of) {
+    std::vector<double> column;
+    for (std::size_t i = 0; i < study.runs.size(); ++i) column.push_back(of(i));
+    table.add_column(std::move(spec), std::move(column));
+  };
+  const auto& runs = study.runs;
+  const auto& numbers = study.numbers;
+  const auto error = [](const Value& value) { return value.error.value_or(none); };
+  add({"dump", dimension::none, dumps}, [](std::size_t i) { return static_cast<double>(i); });
+  add({"outcome", dimension::none, {"bounce", "stick", "unresolved"}},
+      [&](std::size_t i) { return static_cast<double>(runs[i].curve.outcome); });
+  add({"R_agg", dimension::length}, [&](std::size_t i) { return runs[i].radius(); });
+  add({"R_eff", dimension::length}, [&](std::size_t i) { return numbers[i].effective_radius; });
+  add({"v", dimension::velocity}, [&](std::size_t i) { return numbers[i].impact.velocity; });
+  add({"delta_max", dimension::length}, [&](std::size_t i) { return study.maximum(i).delta.value + 2 * study.offset.value.value; });
+  add({"delta_max_eff", dimension::length}, [&](std::size_t i) { return study.maximum(i).delta.value; });
+  add({"delta_max_error", dimension::length}, [&](std::size_t i) { return error(study.maximum(i).delta); });
+  add({"t_max", dimension::time}, [&](std::size_t i) { return study.maximum(i).time.value; });
+  add({"t_max_error", dimension::time}, [&](std::size_t i) { return error(study.maximum(i).time); });
+  add({"e", dimension::none}, [&](std::size_t i) { return runs[i].restitution.e.value; });
+  if (!study.fit || !study.fit->usable) return table;
+  const double modulus = study.fit->parameters[0].value, strength = study.fit->parameters[1].value;
+  const auto add_model = [&](const std::string& suffix, auto&& of) {
+    const auto by_model = [&](std::size_t i) {
+      return numbers[i].impact.velocity > 0 ? of(impact_of(study, i, modulus)) : Compressed{none, none};
+    };
+    add({"delta_max" + suffix, dimension::length}, [&](std::size_t i) { return by_model(i).delta_max; });
+    add({"t_max" + suffix, dimension::time}, [&](std::size_t i) { return by_model(i).t_max; });
+  };
+  const CollisionLaw& law = *find_collision_law("andrews");
+  add_model("_fit", [&](const Impact& i) {
+    const Collision c = collide(law, {i, {strength}});
+    return Compressed{c.delta_max, c.t_max};
+  });
+  add_model("_elastic", [&](const Impact& i) { return elastic_limit(i); });
+  add_model("_rigid_plastic", [&](const Impact& i) { return rigid_plastic_limit(i, strength); });
+  return table;
+}
+
+}  // namespace mdana
