@@ -185,8 +185,15 @@ void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_
 /// The one velocity of all collisions, if there is only one and none was followed: elasticity and
 /// dissipation that grow with the load are told apart by how they depend on it.
 std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
-#include "fits/repeats.hpp"
-#include "fits/residual_memory.hpp"
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const ObservedCollision& s : seen) {
+    const auto v = s.find("v");
+    if (!v || !s.motion.empty()) return std::nullopt;
+    least = std::min(least, *v);
+    greatest = std::max(greatest, *v);
+  }
+  if (greatest > (1 + same_velocity_of_runs) * least) return std::nullopt;
+  return least;
 }
 
 /// Why the parameters cannot be believed; empty if they can.

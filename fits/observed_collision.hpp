@@ -26,6 +26,10 @@ struct NamedNumber {
   double value = 0;
 };
 
+/// A number of both bodies: equal ones (within 1 %) under the name of both ("R"), others under their own
+/// ("R1", "R2"); nothing if one is not known.
+void give_both(std::vector<NamedNumber>& given, const std::string& name, double first, double second);
+
 /// A moment of a collision that was followed.
 struct MotionSample {
   double time = 0;  ///< [time]

@@ -211,6 +211,7 @@ class Series {
   void add(const Values& values, const Wishes& wishes) {
     try {
       const Told told = analyse(values, wishes);
+      document_.set_units(told.document.units());
       runs_.push_back(told.document.content());
       outcomes_.push_back(told.outcome);
       document_.line(told.outcome.dump, brief(told.outcome, told.document.units()));
