@@ -44,6 +44,16 @@ void require_times(const Run& run) {
                                "--timestep DT, or dump with 'dump_modify time yes'", run.dump.string()));
 }
 
+/// Damage that ended the dump before the bodies met is part of the reason.
+ForceCurve curve_of(const Run& run, const MeasuredMotion& measured, ForceSource source, const Radii& radii) {
+  try {
+    return touching_force_curve(run, measured.motion, source, radii);
+  } catch (const InputError& error) {
+    if (measured.swept.damage.empty()) throw;
+    throw InputError(fmt::format("{}. {}", error.what(), measured.swept.damage));
+  }
+}
+
 Value over(const Value& value, double length) {
   Value ratio{value.value / length, {}, dimension::none};
   if (value.error) ratio.error = *value.error / length;
@@ -100,6 +110,7 @@ void tell_bodies(Document& document, const CompressedRun& run, const Compressing
   document.text("radius_source", run.radii.source);
   document.number("R_eff", {c.effective_radius, {}, dimension::length});
   document.number("rho", {c.density, {}, Dimension{1, -3, 0}});
+  if (run.filling_factor) document.number("phi", {*run.filling_factor, {}, dimension::none});
   const double unit = force_per_mass_acceleration(run.units);
   document.number("m_star", {c.impact.mass / unit, {}, dimension::mass});
   document.number("m_star_counted", {c.counted_mass / unit, {}, dimension::mass});
@@ -116,9 +127,11 @@ void tell_receding(Document& document, const ApproachSeries& series, const Maxim
   const auto at = std::ranges::min_element(series.speed.begin() + begin, series.speed.end());
   double change = std::abs(*at - *(at - 1));
   if (at + 1 != series.speed.end()) change = std::max(change, std::abs(*at - *(at + 1)));
-  const double time = series.times[static_cast<std::size_t>(at - series.speed.begin())];
+  const auto k = static_cast<std::size_t>(at - series.speed.begin());
   document.number("return.greatest_speed", {-*at, change, dimension::velocity});
-  document.number("return.time_of_greatest_speed", {time - best.contact_time, {}, dimension::time});
+  if (best.time_reason.empty())
+    document.number("return.time_of_greatest_speed", {series.times[k] - best.contact_time,
+                                                      series.times[k] - series.times[k - 1], dimension::time});
 }
 
 void tell_oscillation(Document& document, const CompressedRun& run) {
@@ -135,7 +148,9 @@ void tell_oscillation(Document& document, const CompressedRun& run) {
 
 void tell_return(Document& document, const CompressedRun& run, const Compressing& c, Split split) {
   const auto k = static_cast<std::size_t>(split);
-  add_restitution(document, run.restitution);
+  const Restitution& r = run.restitution;
+  add_restitution(document, r);
+  if (!r.reason.empty() && !std::isnan(r.speed_before.value)) document.number("speed_before", r.speed_before);
   tell_receding(document, run.series[k], c.by[k]);
   tell_oscillation(document, run);
   if (run.interaction == Interaction::aggregate)
@@ -161,8 +176,12 @@ ApproachSeries approach_by_membership(const RelativeMotion& motion) {
 
 CompressedRun measure_compression(const Run& run, const RunOptions& options, const SweepOptions& sweeping) {
   require_times(run);
-  CompressedRun result{run.dump.string(), run.units, run.scene.interaction, find_radii(run, options),
-                       {}, {}, {}, {}, {}};
+  CompressedRun result;
+  result.dump = run.dump.string();
+  result.units = run.units;
+  result.interaction = run.scene.interaction;
+  result.filling_factor = run.scene.filling_factor;
+  result.radii = find_radii(run, options);
   const bool velocity = run.first.has_column("vx");
   const ForceSource source = best_force_source(run);
   std::vector<std::unique_ptr<Analysis>> halves;
@@ -171,7 +190,7 @@ CompressedRun measure_compression(const Run& run, const RunOptions& options, con
   const RelativeMotion& motion = result.measured.motion;
   const auto bodies = body_motion(result.measured.swept.tables[0], 0);
   result.mass = {bodies[0].mass, bodies[1].mass};
-  result.curve = touching_force_curve(run, motion, source, result.radii);
+  result.curve = curve_of(run, result.measured, source, result.radii);
   result.restitution = restitution(motion, result.curve);
   result.series = {approach_by_sign(run, motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
   return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,7 @@ struct CompressedRun {
   std::string dump;
   Units units = Units::lj;
   Interaction interaction = Interaction::unknown;
+  std::optional<double> filling_factor;   ///< by the scene
   Radii radii;
   std::array<double, 2> mass{};           ///< counted, of the first frame [mass]
   MeasuredMotion measured;

@@ -111,25 +111,33 @@ void tell_degeneracy(Document& document, const CompressionStudy& study) {
   add_degeneracy(document, impact, delta);
 }
 
+void tell_limit(Document& document, const std::string& limit, const std::string& parameter, const ContactFit& fit) {
+  if (!fit.usable) return document.json(limit, {{parameter, nullptr}, {"chi2", nullptr}});
+  document.number(limit + "." + parameter, value_of(fit.parameters[0]), {{"chi2", number(fit.chi2)}});
+}
+
 void tell_fit(Document& document, const CompressionStudy& study) {
-  if (!study.fit) return document.left_out("E_star, Y", study.no_fit);
-  const ContactFit& fit = *study.fit;
+  if (!study.fits) {
+    document.warn("no E*, Y: " + study.no_fit);
+    return document.left_out("E_star, Y", study.no_fit);
+  }
+  const auto& [both, counted, elastic, rigid_plastic] = *study.fits;
+  for (const auto& [name, k] : {std::pair{"E_star", 0}, {"Y", 1}})
+    if (both.usable)
+      document.number(name, value_of(both.parameters[static_cast<std::size_t>(k)]));
+    else
+      document.json(name, nullptr);
+  if (!both.usable) document.left_out("E_star, Y", both.reason);
+  if (counted.usable) {
+    document.number("with_counted_mass.E_star", value_of(counted.parameters[0]));
+    document.number("with_counted_mass.Y", value_of(counted.parameters[1]));
+  }
+  tell_limit(document, "elastic_limit", "E_star", elastic);
+  tell_limit(document, "rigid_plastic_limit", "Y", rigid_plastic);
   const CollisionLaw& law = *find_collision_law("andrews");
-  if (fit.usable) {
-    document.number("E_star", value_of(fit.parameters[0]));
-    document.number("Y", value_of(fit.parameters[1]));
-  } else {
-    document.json("E_star", nullptr);
-    document.json("Y", nullptr);
-    document.left_out("E_star, Y", fit.reason);
-  }
-  if (study.counted_fit && study.counted_fit->usable) {
-    document.number("with_counted_mass.E_star", value_of(study.counted_fit->parameters[0]));
-    document.number("with_counted_mass.Y", value_of(study.counted_fit->parameters[1]));
-  }
   ContactFitSettings settings;
   settings.free = usual_free_parameters(law);
-  add_contact_fit(document, law, settings, study.seen, fit);
+  add_contact_fit(document, law, settings, study.seen, both);
 }
 
 /// Of one run: the impact with the E* that was found.
@@ -163,10 +171,11 @@ void add_degeneracy(Document& document, const Impact& impact, const Value& delta
 }
 
 void add_compression_study(Document& document, const CompressionStudy& study) {
+  document.set_units(study.runs.front().units);
   document.text("split", std::string(split_names[static_cast<std::size_t>(study.split)]));
   tell_lines(document, study);
   tell_conditions(document, study);
-  document.json("errors_from", study.repeated ? "the scatter of repeated runs, with the sampling of each"
+  document.json("errors_from", study.known_errors ? "the scatter of repeated runs, with the sampling of each"
                                               : "no repeated runs: not known");
   tell_degeneracy(document, study);
   tell_fit(document, study);
@@ -196,8 +205,8 @@ Table compression_study_table(const CompressionStudy& study) {
   add({"t_max", dimension::time}, [&](std::size_t i) { return study.maximum(i).time.value; });
   add({"t_max_error", dimension::time}, [&](std::size_t i) { return error(study.maximum(i).time); });
   add({"e", dimension::none}, [&](std::size_t i) { return runs[i].restitution.e.value; });
-  if (!study.fit || !study.fit->usable) return table;
-  const double modulus = study.fit->parameters[0].value, strength = study.fit->parameters[1].value;
+  if (!study.fits || !study.fits->both.usable) return table;
+  const double modulus = study.fits->both.parameters[0].value, strength = study.fits->both.parameters[1].value;
   const auto add_model = [&](const std::string& suffix, auto&& of) {
     const auto by_model = [&](std::size_t i) {
       return numbers[i].impact.velocity > 0 ? of(impact_of(study, i, modulus)) : Compressed{none, none};

@@ -79,6 +79,11 @@ Document::Document(std::string_view command, const Run& run) : Document(command)
   if (run.physical) physical(*run.physical);
 }
 
+void Document::set_units(Units units) {
+  units_ = units;
+  root_["units"] = name(units);
+}
+
 void Document::physical(const PhysicalUnits& material) {
   physical_ = material;
   nlohmann::ordered_json json{{"name", material.name}, {"source", material.source}};

@@ -15,6 +15,7 @@ OPTIONS = {
     "force": RUN + SWEEP + ["--source"],
     "contact-radius": RUN + SWEEP + ["--layer", "--spacing", "--neighbour-cutoff", "--modulus", "--surface-energy"],
     "collision": RUN + SWEEP + ["--layer", "--spacing", "--modulus", "--potential", "--log"],
+    "compress": RUN + SWEEP + ["--split", "--offset"],
     "energy": RUN + SWEEP + ["--potential", "--log"],
     "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "predict": ["--law", "--parameter", "-p", "--trajectory", "--sensitivities", "--sticking-velocity", "--peak",
