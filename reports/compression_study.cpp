@@ -2,6 +2,7 @@
 #include "reports/compression_study.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -126,32 +127,34 @@ std::string obstacle(const CompressionStudy& study) {
   return find_collision_law("andrews") ? "" : "this build has no law andrews";
 }
 
-ContactFit fit_of(const std::vector<ObservedCollision>& seen, const std::vector<NamedNumber>& constants = {}) {
-  const CollisionLaw& law = *find_collision_law("andrews");
+ContactFit fit_of(const std::vector<ObservedCollision>& seen, std::vector<FreeParameter> free,
+                  std::vector<NamedNumber> constants = {}) {
   ContactFitSettings settings;
-  settings.free = usual_free_parameters(law);
-  settings.constants = constants;
-  for (const NamedNumber& fixed : constants)
-    std::erase_if(settings.free, [&](const FreeParameter& f) { return f.name == fixed.name; });
-  return fit_contact(law, seen, settings);
+  settings.free = std::move(free);
+  settings.constants = std::move(constants);
+  return fit_contact(*find_collision_law("andrews"), seen, settings);
 }
 
-/// Beyond any modulus that these runs could have.
-double stiff(const CompressionStudy& study) {
-  double modulus = 0;
-  for (const std::size_t i : study.fitted)
-    modulus = std::max(modulus, degenerate_pairs(study.numbers[i].impact, study.maximum(i).delta.value, 3)[0].modulus);
-  return 1e6 * modulus;
+/// The pairs of the first run: elastic, and rigid plastic.
+std::array<DegeneratePair, 2> limits_of(const CompressionStudy& study) {
+  const std::size_t i = study.fitted.front();
+  const auto pairs = degenerate_pairs(study.numbers[i].impact, study.maximum(i).delta.value, 3);
+  return {pairs.front(), pairs.back()};
 }
 
 void fit(CompressionStudy& study) {
+  constexpr double infinite = 1e8;  ///< in moduli of an elastic run, which differ from run to run
   study.no_fit = obstacle(study);
   if (!study.no_fit.empty()) return;
   std::vector<ObservedCollision> counted = study.seen;
   for (std::size_t k = 0; k < counted.size(); ++k)
     counted[k].given[1].value = 2 * study.numbers[study.fitted[k]].counted_mass;
-  study.fits = {fit_of(study.seen), fit_of(counted), fit_of(study.seen, {{"Y", stiff(study)}}),
-                fit_of(study.seen, {{"E", stiff(study)}})};
+  const auto both = usual_free_parameters(*find_collision_law("andrews"));
+  const auto [elastic, plastic] = limits_of(study);
+  const double stiff = infinite * elastic.modulus;
+  study.fits = {fit_of(study.seen, both), fit_of(counted, both),
+                fit_of(study.seen, {{"E", elastic.modulus}}, {{"Y", stiff}}),
+                fit_of(study.seen, {{"Y", plastic.yield_strength}}, {{"E", stiff}})};
 }
 
 }  // namespace

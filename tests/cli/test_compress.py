@@ -22,8 +22,9 @@ class Aggregates(Case):
         effective = radius - offset
         reduced = effective / 2
         mass = 16 * math.pi / 3 * density * reduced**3
-        elastic = (5 * math.pi * density * velocity**2 / modulus)**0.4 * reduced
-        dt = 1.4716 * elastic / velocity / frames
+        elastic = 1.4716 * (5 * math.pi * density * velocity**2 / modulus)**0.4 * reduced / velocity
+        plastic = 2 * math.pi * reduced * math.sqrt(density / 3 / strength)
+        dt = max(elastic, plastic) / frames
         path = dumps.andrews_path(modulus, strength, reduced, mass, velocity, dt, before,
                                   round(before + (1 + after) * frames * 1.6))
         path = [(delta + 2 * offset, v) for delta, v in path]
@@ -55,12 +56,12 @@ class OneRun(Aggregates):
         self.assertIsNone(one["coordination"])
 
     def test_pairs_hold_the_true_one(self):
-        """On the line of pairs E*, Y lies the true one: between two neighbours, to the curvature of the line."""
+        """On the line of pairs E*, Y lies the true one: between two neighbours, to its curvature, 0.4 % of 1.26 in the share."""
         one = self.document("compress", self.collide("v", 1.2), "--radius", RADIUS)
         pairs = list(zip(one["degeneracy"]["E_star"][:-1], one["degeneracy"]["Y"][:-1]))
         below, above = next((a, b) for a, b in zip(pairs, pairs[1:]) if a[0] <= MODULUS < b[0])
         part = math.log(MODULUS / below[0]) / math.log(above[0] / below[0])
-        self.assertAlmostEqual(below[1] * (above[1] / below[1])**part, STRENGTH, delta=3e-3 * STRENGTH)
+        self.assertAlmostEqual(below[1] * (above[1] / below[1])**part, STRENGTH, delta=4e-3 * STRENGTH)
         self.assertIsNone(one["degeneracy"]["E_star"][-1])
         self.assertEqual(one["degeneracy"]["Y"][-1], one["Y_if_rigid_plastic"]["value"])
 
@@ -231,9 +232,21 @@ class Study(Aggregates):
         paths = [self.collide(f"v{k}", v, frames=60, strength=10) for k, v in enumerate((0.3, 0.8, 2.0))]
         study = self.document("compress", *paths, "--radius", RADIUS, code=4)
         self.assertFalse(study["usable"])
-        self.assertIn("only E is determined", study["reason"])
+        self.assertIn("the elastic limit (Y infinite) describes the collisions as well", study["reason"])
+        self.assertIn("Y is known", study["reason"])  # the weak direction
         self.assertAlmostEqual(study["elastic_limit"]["E_star"]["value"], MODULUS, delta=1e-5)
         self.assertIsNone(study["Y"])
+
+    def test_rigid_plastic(self):
+        """Far beyond yield delta_max goes with v and t_max does not: of Y that scatters by 1 % nothing is known of E*,
+        but Y is (31, 33)."""
+        paths = [self.collide(f"v{k}", v, frames=60, modulus=10, strength=0.05 * (1 + 0.01 * (-1)**k))
+                 for k, v in enumerate((0.3, 0.6, 1.2, 2.4))]
+        study = self.document("compress", *paths, "--radius", RADIUS, code=4)
+        self.assertIn("the rigid plastic limit (E infinite) describes the collisions as well", study["reason"])
+        found = study["rigid_plastic_limit"]["Y"]
+        self.assertAlmostEqual(found["value"] / 0.05, 1, delta=0.01)
+        self.assertLess(abs(found["value"] - 0.05), 2 * found["error"])
 
     def test_densities_that_differ(self):
         paths = [self.collide("a", 0.4, frames=40), self.collide("b", 1.2, frames=40, density=2 * DENSITY)]
