@@ -197,8 +197,8 @@ std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
 struct Limit {
   std::string_view law, parameter, name;
 };
-constexpr Limit limits[] = {{"andrews", "Y", "the elastic limit (Y infinite)"},
-                            {"andrews", "E", "the rigid plastic limit (E infinite)"}};
+constexpr Limit elastic{"andrews", "Y", "the elastic limit (Y infinite)"};
+constexpr Limit rigid_plastic{"andrews", "E", "the rigid plastic limit (E infinite)"};
 
 /// Whether a cost that is greater by one parameter less is so by less than two standard deviations.
 bool as_good(double limit, double best, bool known_errors, std::size_t residuals, std::size_t parameters) {
@@ -207,49 +207,58 @@ bool as_good(double limit, double best, bool known_errors, std::size_t residuals
   return limit <= best || n * std::log(limit / best) < 4;
 }
 
-/// The limit of the law that describes the data as well, in words; empty if there is none.
-std::string limit_as_good(ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law) {
+/// That a limit describes the data as well, in words; empty if it does not.
+std::string as_good_as(ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law, const Limit& limit) {
   constexpr double infinite = 1e6;  ///< times the greatest parameter, both being pressures
   const ContactModel& model = problem.model();
-  for (const Limit& limit : limits) {
-    if (limit.law != law.name || model.targets().size() != 2) continue;
-    const auto k = std::ranges::find(model.targets(), limit.parameter, &ContactModel::Target::parameter);
-    if (k == model.targets().end()) continue;
-    Eigen::VectorXd ln = best.ln;
-    const auto fixed = static_cast<std::size_t>(k - model.targets().begin());
-    ln[static_cast<Eigen::Index>(fixed)] = best.ln.maxCoeff() + std::log(infinite);
-    const double cost = problem.solve_fixed(ln, fixed, exact).cost;
-    if (as_good(cost, best.cost, model.known_errors(), model.residuals(), model.targets().size()))
-      return fmt::format("{} describes the collisions as well (cost {:.4g} against {:.4g}): {} is not determined",
-                         limit.name, cost, best.cost, limit.parameter);
-  }
+  if (limit.law != law.name || model.targets().size() != 2 || problem.has_priors()) return {};
+  const auto k = std::ranges::find(model.targets(), limit.parameter, &ContactModel::Target::parameter);
+  if (k == model.targets().end()) return {};
+  Eigen::VectorXd ln = best.ln;
+  const auto fixed = static_cast<std::size_t>(k - model.targets().begin());
+  ln[static_cast<Eigen::Index>(fixed)] = best.ln.maxCoeff() + std::log(infinite);
+  const double cost = problem.solve_fixed(ln, fixed, exact).cost;
+  if (!as_good(cost, best.cost, model.known_errors(), model.residuals(), model.targets().size())) return {};
+  return fmt::format("{} describes the collisions as well (cost {:.4g} against {:.4g}): {} is only bounded", limit.name,
+                     cost, best.cost, limit.parameter);
+}
+
+/// The parameter whose best value is on or beyond a bound; empty if none is.
+std::string on_bound(const ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
+  const FitCoordinates& coordinates = problem.coordinates();
+  const Eigen::VectorXd beyond = coordinates.beyond(best.fit.values);
+  for (Eigen::Index k = 0; k < beyond.size(); ++k)
+    if (beyond[k] != 0) return result.parameters[static_cast<std::size_t>(k) % coordinates.size()].full_name();
+  return {};
+}
+
+/// The parameter whose standard error is greater than itself; empty if none is.
+std::string not_determined(const ContactFit& result) {
+  for (const Estimate& p : result.parameters)
+    if (!(p.error < least_known * p.value)) return p.full_name();
   return {};
 }
 
 /// Why the parameters cannot be believed; empty if they can.
-std::string doubt(const ContactFit& result, ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law,
+std::string doubt(ContactFit& result, ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law,
                   std::span<const ObservedCollision> seen, std::size_t free) {
+  const std::string weak = result.weak_direction.empty() ? "" : "; " + result.weak_direction;
   if (const auto v = only_velocity(seen); v && free > 1 && !problem.has_priors())
-    return fmt::format("all collisions have v = {:g}: one velocity does not determine {} parameters{}{}", *v, free,
-                       result.weak_direction.empty() ? "" : "; ", result.weak_direction);
-  const FitCoordinates& coordinates = problem.coordinates();
+    return fmt::format("all collisions have v = {:g}: one velocity does not determine {} parameters{}", *v, free, weak);
   const auto& s = result.singular_values;
-  const bool singular = s.size() < coordinates.size() || !(s.back() > 1e-6 * s.front());
-  if (!singular && !problem.has_priors())
-    if (const std::string limit = limit_as_good(problem, best, law); !limit.empty())
-      return fmt::format("{}; {}", limit, result.weak_direction);
-  const Eigen::VectorXd beyond = coordinates.beyond(best.fit.values);
-  for (Eigen::Index k = 0; k < beyond.size(); ++k)
-    if (beyond[k] != 0)
-      return fmt::format("the best {} lies on its bound",
-                         result.parameters[static_cast<std::size_t>(k) % coordinates.size()].full_name());
-  if (singular && !problem.has_priors())
+  const bool singular = s.size() < result.parameters.size() || !(s.back() > 1e-6 * s.front());
+  const std::string bound = on_bound(result, problem, best);
+  if (singular && bound.empty() && !problem.has_priors())
     return "the data do not determine all parameters: " + result.weak_direction;
-  if (!best.fit.usable) return best.fit.reason;
-  for (const Estimate& p : result.parameters)
-    if (!(p.error < least_known * p.value))
-      return fmt::format("{} is not determined (its standard error is greater than itself){}{}",
-                         p.full_name(), result.weak_direction.empty() ? "" : ": ", result.weak_direction);
+  if (const std::string limit = singular ? "" : as_good_as(problem, best, law, elastic); !limit.empty())
+    return limit + weak;
+  const std::string limit = as_good_as(problem, best, law, rigid_plastic);
+  const std::string but = limit.empty() ? "" : limit + "; ";
+  if (!bound.empty()) return fmt::format("{}the best {} lies on its bound", but, bound);
+  if (!best.fit.usable) return but + best.fit.reason;
+  if (const std::string name = not_determined(result); !name.empty())
+    return fmt::format("{}{} is not determined (its standard error is greater than itself){}", but, name, weak);
+  if (!limit.empty()) result.notes.push_back(limit);
   return {};
 }
 

@@ -130,7 +130,7 @@ ObservedDocument parse_observed_document(std::string_view text, const std::strin
   const std::string command = word(document, "command");
   if (command == "compress") return {compressions_of(document, place), command};
   if (command == "collision" || command == "force") return {{collision_of(document, place, wanted)}, "collision"};
-  throw InputError(fmt::format("{}: a document of 'mdana collision' or 'mdana compress' is expected, this one is of '{}'",
+  throw InputError(fmt::format("{}: a document of 'mdana compress' or of 'mdana collision' is expected, this one is of '{}'",
                                place, command));
 }
 

@@ -220,6 +220,14 @@ TEST(ContactFit, AndrewsInALimitKnowsOnlyOne) {
   }
 }
 
+// E is found from exact numbers, but within their errors it could be infinite.
+TEST(ContactFit, AndrewsNearALimitSaysSo) {
+  const ContactFit f = fit("andrews", andrews({{"E", 50}, {"Y", 2}}, {0.05, 0.1, 0.2, 0.4}), {one("E"), one("Y")});
+  ASSERT_TRUE(f.usable) << f.reason;
+  ASSERT_EQ(f.notes.size(), 1u);
+  EXPECT_NE(f.notes[0].find("the rigid plastic limit (E infinite) describes the collisions as well"), std::string::npos);
+}
+
 // One velocity: t_max v/delta_max hardly depends on Y, so 1 % of it leaves everything open.
 TEST(ContactFit, AndrewsAtOneVelocityIsNotUsable) {
   const ContactFit f =
