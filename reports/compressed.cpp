@@ -154,8 +154,8 @@ void tell_return(Document& document, const CompressedRun& run, const Compressing
   tell_receding(document, run.series[k], c.by[k]);
   tell_oscillation(document, run);
   if (run.interaction == Interaction::aggregate)
-    document.text("return.note", "LAMMPS' granular JKR breaks contacts at -0.397 delta_0 instead of -0.825: compression is "
-                                 "that of the paper, the return phase is not");
+    document.text("return.note", "LAMMPS' granular JKR breaks contacts at -0.397 delta_0 instead of -0.825: compression "
+                                 "is that of the paper, the return phase is not");
 }
 
 std::vector<double> deltas(const ApproachSeries& series, double radius_sum) {

@@ -122,8 +122,8 @@ std::string obstacle(const CompressionStudy& study) {
   for (const std::size_t i : study.fitted) density.push_back(study.numbers[i].density);
   const auto [least, greatest] = std::ranges::minmax(density);
   if (greatest > (1 + same_density) * least)
-    return fmt::format("the aggregates' densities go from {:g} to {:g}: E* and Y depend on the filling factor; give runs "
-                       "of one at a time", least, greatest);
+    return fmt::format("the aggregates' densities go from {:g} to {:g}: E* and Y depend on the filling factor; give "
+                       "runs of one at a time", least, greatest);
   return find_collision_law("andrews") ? "" : "this build has no law andrews";
 }
 

@@ -54,11 +54,11 @@ CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
 /// velocity allows. The runs themselves are told by add_compression.
 void add_compression_study(Document& document, const CompressionStudy& study);
 
-/// The pairs E*, Y that one delta_max allows (Fig. 10); `error` of delta_max.
+/// The pairs E*, Y that one delta_max from 2 R_eff allows (Fig. 10), and the two ends of the line.
 void add_degeneracy(Document& document, const Impact& impact, const Value& delta_max);
 
-/// A row a run: radii, v, delta_max, t_max, outcome, e, and by the fit, in the elastic and in the rigid
-/// plastic limit the same.
+/// A row a run: radii, v, delta_max, t_max, outcome, e, and if E* and Y are found delta_max and t_max by
+/// the fit, in the elastic and in the rigid plastic limit.
 Table compression_study_table(const CompressionStudy& study);
 
 }  // namespace mdana
