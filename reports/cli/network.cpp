@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/network.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/cli/command.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+auto number(const char* name) { return po::value<double>()->value_name(name); }
+
+std::optional<double> positive_option(const Values& values, const char* name) {
+  if (!values.count(name)) return std::nullopt;
+  return positive(values[name].as<double>(), name);
+}
+
+std::optional<double> ratio_option(const Values& values) {
+  if (!values.count("poisson-ratio")) return std::nullopt;
+  const double nu = values["poisson-ratio"].as<double>();
+  if (!(nu > -1 && nu <= 0.5))
+    throw UsageError(fmt::format("--poisson-ratio {:g}: must be above -1 and at most 0.5", nu));
+  return nu;
+}
+
+std::optional<double> filling_option(const Values& values) {
+  const auto filling = positive_option(values, "compacted");
+  if (filling && *filling >= 1) throw UsageError(fmt::format("--compacted {:g}: must be below 1", *filling));
+  return filling;
+}
+
+void add_options(Options& options) {
+  add_run_options(options);
+  options.add_options()                                                                        //
+      ("grain-radius", number("LENGTH"),
+       "of every grain (default: the column radius, else that of the scene)")                  //
+      ("grain-modulus", number("E"), "Young's modulus of the grains (default: of the scene)")  //
+      ("poisson-ratio", number("NU"), "of the grains (default: of the scene)")                 //
+      ("surface-energy", number("GAMMA"), "of one surface of the grains (default: of the scene)")  //
+      ("rolling-displacement", number("XI_C"),
+       "where rolling becomes inelastic, for the yield stress (default: of the scene)")        //
+      ("strong", number("SHARE"),
+       "forces above this share of the pull-off force F_c count as strong (default: 0.1)")     //
+      ("compacted", number("PHI"),
+       "local filling factor above which a grain is compacted (default: that which 1 % of the first "
+       "frame's are above)")                                                                   //
+      ("aggregate-modulus", number("E*"),
+       "reduced modulus of the two aggregates, for their Poisson's ratio");
+  add_output_options(options, true);
+}
+
+NetworkOptions network_options(const Values& values) {
+  return {{.radius = positive_option(values, "grain-radius"),
+           .density = {},
+           .surface_energy = positive_option(values, "surface-energy"),
+           .modulus = positive_option(values, "grain-modulus"),
+           .poisson_ratio = ratio_option(values),
+           .rolling_displacement = positive_option(values, "rolling-displacement")},
+          positive_option(values, "strong"),
+          filling_option(values),
+          positive_option(values, "aggregate-modulus")};
+}
+
+/// In the first frame, of the core if there is one.
+double coordination(const Table& table) {
+  const double core = table.column("coordination_core")[0];
+  return std::isnan(core) ? table.column("coordination")[0] : core;
+}
+
+int run_command(const Values& values) {
+  check_output(values, true);
+  const RunOptions options = run_options(values);
+  const SweepOptions sweeping = sweep_options(values);
+  const NetworkOptions wanted = network_options(values);
+  const Run run = prepare_run(options);
+  require_two_bodies(run);
+  const Radii radii = find_radii(run, options);
+  const NetworkSetup setup = network_setup(run, radii, wanted);
+  const MeasuredNetwork measured = measure_network(run, radii, setup, sweeping);
+
+  Document document("network", run);
+  document.sweep(measured.swept, run.format);
+  document.text("radius_source", radii.source);
+  add_network(document, setup, measured);
+  add_aggregate_constants(document, setup, wanted, coordination(measured.table));
+  return emit(values, document, &measured.table);
+}
+
+}  // namespace
+
+extern const Command network_command;
+const Command network_command{
+    "network",
+    "DUMP",
+    "contacts of the grains of two aggregates",
+    "Contacts by the overlap of grains, their normal forces by JKR, coordination, fabric, contacts made\n"
+    "and broken since the first frame, filling factors; and elastic constants and yield stress by the\n"
+    "estimates of Arakawa et al. 2024. The table (-o FILE.csv) has a row a frame; its columns are told in\n"
+    "analyses/contact_network/contact_network.md.",
+    "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz\n"
+    "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --frames 0:1 --json\n"
+    "  mdana network dump.lammpstrj --units si --grain-radius 1e-7 -o network.csv",
+    add_options,
+    run_command};
+
+}  // namespace mdana::cli

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "fits/aggregate_constants.hpp"
+#include "reports/network.hpp"
+
+namespace mdana {
+namespace {
+
+void add_grains(Document& document, const NetworkSetup& setup) {
+  const bool alike = setup.smallest == setup.largest;
+  document.number("grains.radius", {*setup.grains.radius, {}, dimension::length},
+                  {{"smallest", setup.smallest}, {"largest", setup.largest}, {"source", setup.radius_source}});
+  document.json("grains.count", setup.count);
+  document.line("grains", fmt::format("{}, radii {} (from the {})", setup.count,
+                                      alike ? "all alike" : fmt::format("{:.6g} to {:.6g}", setup.smallest,
+                                                                        setup.largest),
+                                      setup.radius_source));
+  document.number("filling_factor", {setup.filling, {}, dimension::none}, {{"source", setup.filling_source}});
+}
+
+void add_contact(Document& document, const NetworkSetup& setup) {
+  if (!setup.contact) return document.left_out("forces, elastic constants", setup.no_contact);
+  const ElasticContact& c = *setup.contact;
+  document.number("contact.a0", {equilibrium_radius(c), {}, dimension::length});
+  document.number("contact.delta0", {equilibrium_overlap(c), {}, dimension::length});
+  document.number("contact.F_c", {pull_force(c), {}, dimension::force});
+}
+
+/// The row of a frame as an object, without what is not known.
+nlohmann::ordered_json row_of(const Table& table, std::size_t row) {
+  nlohmann::ordered_json object;
+  for (std::size_t c = 0; c < table.columns().size(); ++c)
+    if (const double value = table.column(c)[row]; !std::isnan(value))
+      object[table.columns()[c].name] = value;
+  return object;
+}
+
+std::string contacts_of(const Table& table, std::size_t row) {
+  const auto at = [&](const char* column) { return table.column(column)[row]; };
+  std::string text = fmt::format("{:g} and {:g} within, {:g} between the bodies", at("contacts1"),
+                                 at("contacts2"), at("contacts12"));
+  if (!std::isnan(at("tension")))
+    text += fmt::format("; {:g} in tension, {:g} in compression", at("tension"), at("compression"));
+  if (!std::isnan(at("made")))
+    text += fmt::format("; {:g} made, {:g} broken", at("made"), at("broken"));
+  return text;
+}
+
+void add_frames(Document& document, const MeasuredNetwork& measured) {
+  const Table& table = measured.table;
+  const std::tuple<const char*, const char*, std::size_t> frames[] = {
+      {"first", "contacts at first", 0},
+      {"at_delta_max", "at the greatest delta", measured.most_compressed},
+      {"last", "at last", table.rows() - 1}};
+  for (const auto& [key, label, row] : frames) {
+    document.json(fmt::format("frame.{}", key), row_of(table, row));
+    document.line(label, contacts_of(table, row));
+  }
+}
+
+void add_coordination(Document& document, const NetworkSetup& setup, const Table& table) {
+  const auto at = [&](const char* column) { return table.column(column)[0]; };
+  const double expected = cpe_coordination(setup.filling);
+  document.number("coordination", {at("coordination"), at("coordination_error"), dimension::none},
+                  {{"of", "all grains, first frame"}});
+  if (at("core_grains") > 1)
+    document.number("coordination_core", {at("coordination_core"), at("coordination_core_error"), dimension::none},
+                    {{"of", "grains deeper than two grain radii, first frame"}});
+  document.number("coordination_cpe", {expected, {}, dimension::none}, {{"of", "12 phi/phi_max"}});
+}
+
+/// Contacts whose state the frame does not tell.
+void tell_undecided(Document& document, const NetworkSetup& setup, const Table& table) {
+  if (!setup.contact) return;
+  const auto undecided = table.column("undecided");
+  const auto row = static_cast<std::size_t>(std::ranges::max_element(undecided) - undecided.begin());
+  document.json("undecided.most", undecided[row]);
+  document.json("undecided.row", row);
+  document.line("undecided", fmt::format("at most {:g} pairs beside {:g} contacts (frame {}): apart, but by less "
+                                         "than at pull-off; they hold if they have touched",
+                                         undecided[row], table.column("contacts")[row], row));
+}
+
+void add_left_out(Document& document, const NetworkSetup& setup) {
+  if (!setup.settings.reference)
+    document.left_out("made, broken, lost contacts", "the dump has no column 'id' to follow grains by");
+  document.left_out("pairs apart that still hold (undecided)",
+                    "whether they have touched before is not in a frame; forces are of pairs that overlap");
+  document.left_out("contacts through periodic faces", "the bodies are put together first");
+}
+
+}  // namespace
+
+void add_network(Document& document, const NetworkSetup& setup, const MeasuredNetwork& measured) {
+  add_grains(document, setup);
+  add_contact(document, setup);
+  add_coordination(document, setup, measured.table);
+  add_frames(document, measured);
+  tell_undecided(document, setup, measured.table);
+  document.json("compacted.local_filling_above", *setup.settings.compacted);
+  document.number("compacted.volume", {measured.table.column("compacted_volume")[measured.most_compressed],
+                                       measured.table.column("compacted_volume")[0], {0, 3, 0}},
+                  {{"of", "the frame of greatest delta; the error is what the first frame has"}});
+  if (setup.settings.strong_force) document.json("strong_force", *setup.settings.strong_force);
+  add_left_out(document, setup);
+}
+
+void add_aggregate_constants(Document& document, const NetworkSetup& setup,
+                             const NetworkOptions& options, double coordination) {
+  const Grains& grains = setup.grains;
+  document.number("aggregate.coordination_bcca", {bcca_coordination(setup.filling), {}, dimension::none},
+                  {{"of", "compressed BCCA, 2 + 9.38 phi^1.62"}});
+  if (setup.contact) {
+    const double stiffness = contact_stiffness(*setup.contact);
+    const double bulk = bulk_modulus(setup.filling, coordination, stiffness, *grains.radius);
+    document.number("aggregate.bulk_modulus", {bulk, {}, dimension::pressure},
+                    {{"of", "phi n_c k/(6 pi r), n_c as counted in the core"}, {"stiffness", stiffness}});
+    if (options.aggregate_modulus)
+      document.number("aggregate.poisson_ratio",
+                      {aggregate_poisson_ratio(*options.aggregate_modulus, bulk), {}, dimension::none},
+                      {{"of", "E*_agg = 3 K (1 - 2 nu)/(2 (1 - nu^2))"}});
+    else
+      document.left_out("aggregate.poisson_ratio", "E* of the aggregates is not known; add --aggregate-modulus");
+  }
+  if (grains.surface_energy && grains.rolling_displacement)
+    document.number("aggregate.static_yield_stress",
+                    {static_yield_stress(setup.filling, *grains.radius, *grains.surface_energy,
+                                         *grains.rolling_displacement), {}, dimension::pressure},
+                    {{"of", "(E_roll/r^3) (1/phi - 1/phi_max)^-3, quasistatic, compressed BCCA"}});
+  else
+    document.left_out("aggregate.static_yield_stress",
+                      "needs gamma and xi_c; add --surface-energy and --rolling-displacement");
+}
+
+}  // namespace mdana
