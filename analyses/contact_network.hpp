@@ -24,6 +24,7 @@ struct ContactNetworkSettings {
   std::array<double, 2> radius;        ///< of body 1, 2 [length]
   std::optional<double> grain_radius;  ///< of every grain [length]; else the column `radius`
   GrainLaw law;                        ///< without it: no forces, nothing undecided
+  double force_noise = 0;              ///< [force] up to which one is neither tension nor compression
   std::optional<double> strong_force;  ///< [force] contacts above it count as strong
   std::optional<double> compacted;     ///< local filling factor above which a grain is compacted
   std::shared_ptr<const ReferenceNetwork> reference;  ///< grains are followed by id if there is one

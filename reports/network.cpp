@@ -8,6 +8,7 @@
 
 #include "analyses/local_filling.hpp"
 #include "fits/aggregate_constants.hpp"
+#include "readers/last_digit.hpp"
 #include "readers/trajectory.hpp"
 
 namespace mdana {
@@ -71,6 +72,11 @@ double high_percentile(std::vector<double> values) {
   return *at;
 }
 
+/// Three standard deviations of the force at rest that come of the printed digits of two positions.
+double force_noise(const Run& run, const ElasticContact& contact) {
+  return 3 * std::sqrt(2.0) * rounding_of(run.dump, "x") * contact_stiffness(contact);
+}
+
 /// JKR of the grains, if gamma, E and nu are known.
 void settle_law(const Run& run, const NetworkOptions& options, NetworkSetup& setup) {
   const Grains& g = setup.grains;
@@ -97,6 +103,7 @@ void settle_law(const Run& run, const NetworkOptions& options, NetworkSetup& set
   setup.settings.law = {
       [=](double overlap, double reduced) { return jkr->force(overlap, of(reduced)); },
       [=](double reduced) { return jkr->least_delta(of(reduced)); }};
+  setup.settings.force_noise = force_noise(run, contact);
   setup.settings.strong_force = options.strong_share.value_or(default_strong_share) * pull_force(contact);
 }
 

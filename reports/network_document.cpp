@@ -27,6 +27,8 @@ void add_contact(Document& document, const NetworkSetup& setup) {
   document.number("contact.a0", {equilibrium_radius(c), {}, dimension::length});
   document.number("contact.delta0", {equilibrium_overlap(c), {}, dimension::length});
   document.number("contact.F_c", {pull_force(c), {}, dimension::force});
+  document.number("contact.force_noise", {setup.settings.force_noise, {}, dimension::force},
+                  {{"of", "three standard deviations by the printed digits of positions, at rest"}});
 }
 
 /// The row of a frame as an object, without what is not known.

@@ -36,12 +36,13 @@ void describe(std::vector<double> forces, NetworkNumbers& n) {
   n.force_q95 = quantile(forces, 0.95);
 }
 
-/// Counts a contact by the sign of its force, and whether it is strong.
+/// Counts a contact by the sign of its force, if that is more than noise, and whether it is strong.
 void classify(double force, bool across, const NetworkFrame& frame, NetworkNumbers& n) {
-  n.tension += force < 0;
-  n.compression += force > 0;
-  n.tension12 += across && force < 0;
-  n.compression12 += across && force > 0;
+  const double noise = frame.settings.force_noise;
+  n.tension += force < -noise;
+  n.compression += force > noise;
+  n.tension12 += across && force < -noise;
+  n.compression12 += across && force > noise;
   if (!frame.settings.strong_force) return;
   n.strong_tension += force < -*frame.settings.strong_force;
   n.strong_compression += force > *frame.settings.strong_force;
