@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +29,11 @@ struct ContactNetworkSettings {
   std::optional<double> strong_force;  ///< [force] contacts above it count as strong
   std::optional<double> compacted;     ///< local filling factor above which a grain is compacted
   std::shared_ptr<const ReferenceNetwork> reference;  ///< grains are followed by id if there is one
+  /// Contacts with forces that the simulation lists at a step; null if none are listed. Asked for
+  /// ascending steps: sweep on one thread.
+  std::function<const LocalFrame*(std::int64_t step)> listed;
+
+  bool followed() const { return reference || listed; }  ///< grains, by the column id
 };
 
 /// The network of contacts of grains in two aggregates: numbers of contacts, coordination, normal

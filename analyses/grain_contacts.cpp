@@ -69,7 +69,8 @@ std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const Gra
         throw InputError(fmt::format("two grains coincide {}", place(grains[a])));
       const double overlap = grains[a].radius + grains[b].radius - distance;
       if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b])))) return;
-      contacts.push_back({a, b, overlap, (points.col(other) - points.col(a)) / distance});
+      contacts.push_back(
+          {a, b, overlap, (points.col(other) - points.col(a)) / distance, overlap >= 0});
     });
   std::sort(contacts.begin(), contacts.end(), [](const GrainContact& p, const GrainContact& q) {
     return std::pair(p.a, p.b) < std::pair(q.a, q.b);
@@ -77,10 +78,28 @@ std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const Gra
   return contacts;
 }
 
+ListedShare decide_by_list(std::span<const Grain> grains, std::span<GrainContact> contacts,
+                           std::span<const ListedContact> list) {
+  const auto ids = [](const ListedContact& c) { return std::pair(c.id1, c.id2); };
+  ListedShare share;
+  for (GrainContact& contact : contacts) {
+    const std::pair<std::int64_t, std::int64_t> pair =
+        std::minmax(grains[contact.a].id, grains[contact.b].id);
+    const auto at = std::ranges::lower_bound(list, pair, {}, ids);
+    if (at == list.end() || ids(*at) != pair || at->force == 0) continue;
+    contact.touching = true;
+    contact.force = at->force;
+    ++share.listed;
+  }
+  const auto acting = std::ranges::count_if(list, [](const ListedContact& c) { return c.force != 0; });
+  share.unmatched = static_cast<std::size_t>(acting) - share.listed;
+  return share;
+}
+
 IdPairs touching_pairs(std::span<const Grain> grains, std::span<const GrainContact> contacts) {
   IdPairs pairs;
   for (const GrainContact& contact : contacts)
-    if (contact.overlap >= 0)
+    if (contact.touching)
       pairs.push_back(std::minmax(grains[contact.a].id, grains[contact.b].id));
   std::sort(pairs.begin(), pairs.end());
   return pairs;

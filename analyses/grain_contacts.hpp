@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "readers/bodies.hpp"
+#include "readers/local_dump.hpp"
 
 namespace mdana {
 
@@ -26,6 +28,8 @@ struct GrainContact {
   std::uint32_t a, b;      ///< indices of the grains, a < b
   double overlap;          ///< r_a + r_b - distance [length]
   Eigen::Vector3d normal;  ///< unit vector from a to b
+  bool touching;           ///< overlaps, or is known to hold
+  double force = std::numeric_limits<double>::quiet_NaN();  ///< if a list tells it [force]
 };
 
 /// What a law says of the contact of two grains of the reduced radius R*, 1/R* = 1/r_a + 1/r_b.
@@ -42,10 +46,20 @@ double reduced_radius(const Grain& a, const Grain& b);
 /// whose position is not finite, whose radius is not positive, or that coincide.
 std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const GrainLaw& law = {});
 
+/// What a list of contacts tells of these.
+struct ListedShare {
+  std::size_t listed = 0;     ///< contacts that have their force from it
+  std::size_t unmatched = 0;  ///< pairs with a force that are too far apart for any contact
+};
+
+/// Pairs that the list gives a force are touching, with that force; what others are does not change.
+ListedShare decide_by_list(std::span<const Grain> grains, std::span<GrainContact> contacts,
+                           std::span<const ListedContact> list);
+
 /// Pairs of ids, the smaller one first, sorted.
 using IdPairs = std::vector<std::pair<std::int64_t, std::int64_t>>;
 
-/// Of those contacts that overlap.
+/// Of those that touch.
 IdPairs touching_pairs(std::span<const Grain> grains, std::span<const GrainContact> contacts);
 
 }  // namespace mdana

@@ -65,6 +65,46 @@ std::shared_ptr<const ReferenceNetwork> reference_of(std::span<const Grain> grai
   return reference;
 }
 
+/// Frames of a list of contacts, asked for by ascending steps.
+class ListedFrames {
+ public:
+  explicit ListedFrames(const NetworkOptions& options)
+      : dump_(options.contacts, options.contact_columns) {}
+
+  /// Null if the list has no such step.
+  const LocalFrame* at(std::int64_t step) {
+    while (!ended_ && (!frame_ || frame_->step < step)) {
+      frame_ = dump_.next();
+      ended_ = !frame_;
+    }
+    return frame_ && frame_->step == step ? &*frame_ : nullptr;
+  }
+
+ private:
+  LocalDump dump_;
+  std::optional<LocalFrame> frame_;
+  bool ended_ = false;
+};
+
+void take_list(const Run& run, const NetworkOptions& options, NetworkSetup& setup) {
+  if (options.contacts.empty()) return;
+  if (!run.first.has_column("id"))
+    throw InputError(fmt::format("{}: contacts are listed by id, but the dump has no column 'id'", run.first.place));
+  setup.list = LocalDump(options.contacts, options.contact_columns).record();
+  const auto frames = std::make_shared<ListedFrames>(options);
+  setup.settings.listed = [frames](std::int64_t step) { return frames->at(step); };
+}
+
+/// Contacts of the first frame, as later frames have theirs.
+std::vector<GrainContact> first_contacts(const Run& run, std::span<const Grain> grains,
+                                         const NetworkOptions& options, const GrainLaw& law) {
+  std::vector<GrainContact> contacts = told_of(run, [&] { return find_contacts(grains, law); });
+  if (options.contacts.empty()) return contacts;
+  ListedFrames frames(options);
+  if (const LocalFrame* list = frames.at(run.first.step)) decide_by_list(grains, contacts, list->contacts);
+  return contacts;
+}
+
 /// Value that 99 of 100 are not above.
 double high_percentile(std::vector<double> values) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
@@ -129,25 +169,26 @@ NetworkSetup network_setup(const Run& run, const Radii& radii, const NetworkOpti
   setup.settings.radius = radii.value;
   setup.settings.grain_radius = settle_radius(run, options.grains, setup.radius_source);
   const std::vector<Grain> grains = first_grains(run, setup.settings.grain_radius);
-  return told_of(run, [&] {
-    const std::vector<GrainContact> contacts = find_contacts(grains);
-    const auto [least, most] = std::ranges::minmax_element(grains, {}, &Grain::radius);
-    setup.count = grains.size();
-    setup.smallest = least->radius;
-    setup.largest = most->radius;
-    setup.grains.radius = mean_radius(grains);
-    settle_law(run, options, setup);
-    settle_filling(run, radii, grains, setup);
-    setup.settings.compacted =
-        options.compacted ? *options.compacted : high_percentile(local_filling(grains));
-    if (run.first.has_column("id")) setup.settings.reference = reference_of(grains, contacts);
-    return setup;
-  });
+  if (grains.empty()) throw InputError(run.first.place + ": no grains in the bodies");
+  const auto [least, most] = std::ranges::minmax_element(grains, {}, &Grain::radius);
+  setup.count = grains.size();
+  setup.smallest = least->radius;
+  setup.largest = most->radius;
+  setup.grains.radius = mean_radius(grains);
+  settle_law(run, options, setup);
+  settle_filling(run, radii, grains, setup);
+  take_list(run, options, setup);
+  const auto contacts = first_contacts(run, grains, options, setup.settings.law);
+  setup.settings.compacted =
+      options.compacted ? *options.compacted : high_percentile(local_filling(grains));
+  if (run.first.has_column("id")) setup.settings.reference = reference_of(grains, contacts);
+  return setup;
 }
 
 MeasuredNetwork measure_network(const Run& run, const Radii& radii, const NetworkSetup& setup,
                                 SweepOptions options) {
   options.selection = run.selection;
+  if (setup.list) options.threads = 1;  // the list is read in its order
   std::vector<std::unique_ptr<Analysis>> analyses;
   analyses.push_back(make_motion({}));
   analyses.push_back(make_contact_network(setup.settings));

@@ -17,6 +17,8 @@ struct NetworkOptions {
   std::optional<double> strong_share;         ///< of F_c, above which a force is strong; default_strong_share
   std::optional<double> compacted;            ///< local filling factor; see NetworkSetup
   std::optional<double> aggregate_modulus;    ///< E* of two equal aggregates [pressure]
+  std::filesystem::path contacts;             ///< local dump of contacts and forces; empty: none
+  LocalDump::Columns contact_columns{"c_ids[1]", "c_ids[2]", "c_pair[2]"};  ///< of it
 };
 
 /// Of the force to pull two grains apart.
@@ -32,6 +34,7 @@ struct NetworkSetup {
   std::string filling_source;
   std::optional<ElasticContact> contact;  ///< of two grains of mean radius
   std::string no_contact;                 ///< why there is none
+  std::optional<InputRecord> list;        ///< of contacts
   /// Its `compacted` is the given one, else what 99 % of the first frame's local filling factors are below.
   ContactNetworkSettings settings;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fits/aggregate_constants.hpp"
+#include "readers/input_error.hpp"
 #include "reports/network.hpp"
 
 namespace mdana {
@@ -86,6 +87,28 @@ void tell_undecided(Document& document, const NetworkSetup& setup, const Table& 
                                          undecided[row], table.column("contacts")[row], row));
 }
 
+/// How much of the contacts and forces is the list's.
+void add_list(Document& document, const NetworkSetup& setup, const Table& table) {
+  if (!setup.list) return;
+  document.input(*setup.list, "local dump");
+  double frames = 0, listed = 0, contacts = 0, unmatched = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (std::isnan(table.column("listed")[row])) continue;
+    ++frames;
+    listed += table.column("listed")[row];
+    unmatched += table.column("unmatched")[row];
+    contacts += table.column("contacts")[row];
+  }
+  if (frames == 0)
+    throw InputError(setup.list->path + ": lists no contacts at a step of the dump's frames");
+  document.json("listed", {{"frames", frames}, {"contacts", contacts}, {"forces", listed}, {"unmatched", unmatched}});
+  document.line("listed", fmt::format("{:g} of {} frames; {:g} of their {:g} contacts have the list's force, the others "
+                                      "that by the overlap", frames, table.rows(), listed, contacts));
+  if (unmatched > 0)
+    document.warn(fmt::format("{}: {:g} listed forces are of pairs farther apart than at pull-off, or not in the bodies",
+                              setup.list->path, unmatched));
+}
+
 void add_left_out(Document& document, const NetworkSetup& setup) {
   if (!setup.settings.reference)
     document.left_out("made, broken, lost contacts", "the dump has no column 'id' to follow grains by");
@@ -101,6 +124,7 @@ void add_network(Document& document, const NetworkSetup& setup, const MeasuredNe
   add_contact(document, setup);
   add_coordination(document, setup, measured.table);
   add_frames(document, measured);
+  add_list(document, setup, measured.table);
   tell_undecided(document, setup, measured.table);
   document.json("compacted.local_filling_above", *setup.settings.compacted);
   document.number("compacted.volume", {measured.table.column("compacted_volume")[measured.most_compressed],

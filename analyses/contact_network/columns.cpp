@@ -20,6 +20,8 @@ constexpr NumberColumn number_columns[] = {
     {"contacts2", dimension::none, &N::contacts2},
     {"contacts12", dimension::none, &N::contacts12},
     {"undecided", dimension::none, &N::undecided},
+    {"listed", dimension::none, &N::listed},
+    {"unmatched", dimension::none, &N::unmatched},
     {"coordination", dimension::none, &N::coordination},
     {"coordination_error", dimension::none, &N::coordination_error},
     {"coordination_core", dimension::none, &N::coordination_core},

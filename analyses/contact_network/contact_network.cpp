@@ -11,6 +11,7 @@ class ContactNetworkPartial final : public Partial {
   ContactNetworkPartial(const FrameContext& frame, const ContactNetworkSettings& settings)
       : centre_{frame.motion[0].position, frame.motion[1].position},
         plane_(frame.motion[0], frame.motion[1], settings.radius, frame.header.place),
+        step_(frame.header.step),
         settings_(settings) {}
 
   void add(const LabelledBlock& block) override {
@@ -18,7 +19,7 @@ class ContactNetworkPartial final : public Partial {
     const auto radius =
         settings_.grain_radius ? std::span<const double>() : block.atoms.real("radius");
     const auto id =
-        settings_.reference ? block.atoms.integer("id") : std::span<const std::int64_t>();
+        settings_.followed() ? block.atoms.integer("id") : std::span<const std::int64_t>();
     for (std::size_t i = 0; i < x.size(); ++i) {
       const BodyIndex b = block.body[i];
       if (b != 1 && b != 2) continue;
@@ -33,9 +34,14 @@ class ContactNetworkPartial final : public Partial {
   }
 
   void close(std::span<double> row) const override {
-    const std::vector<GrainContact> contacts = find_contacts(grains_, settings_.law);
-    const NetworkFrame frame{grains_, contacts, centre_, plane_, settings_};
+    std::vector<GrainContact> contacts = find_contacts(grains_, settings_.law);
     NetworkNumbers numbers;
+    if (const LocalFrame* list = settings_.listed ? settings_.listed(step_) : nullptr) {
+      const ListedShare share = decide_by_list(grains_, contacts, list->contacts);
+      numbers.listed = static_cast<double>(share.listed);
+      numbers.unmatched = static_cast<double>(share.unmatched);
+    }
+    const NetworkFrame frame{grains_, contacts, centre_, plane_, settings_};
     count_contacts(frame, numbers);
     compare_with_reference(frame, numbers);
     measure_forces(frame, numbers);
@@ -47,6 +53,7 @@ class ContactNetworkPartial final : public Partial {
  private:
   std::array<Eigen::Vector3d, 2> centre_;
   ContactPlane plane_;
+  std::int64_t step_;
   const ContactNetworkSettings& settings_;
   std::vector<Grain> grains_;  ///< in the order of the file
 };
@@ -58,7 +65,7 @@ class ContactNetwork final : public Analysis {
   Needs needs() const override {
     ColumnSet wanted{"x", "y", "z"};
     if (!settings_.grain_radius) wanted.add("radius");
-    if (settings_.reference) wanted.add("id");
+    if (settings_.followed()) wanted.add("id");
     return {wanted, /*after_motion=*/true};
   }
   std::vector<ColumnSpec> columns() const override { return network_columns(); }

@@ -26,7 +26,7 @@ double standard_error(const Degrees& degrees) {
 std::vector<std::uint32_t> degrees_of(const NetworkFrame& frame) {
   std::vector<std::uint32_t> degree(frame.grains.size(), 0);
   for (const GrainContact& contact : frame.contacts)
-    if (contact.overlap >= 0) {
+    if (contact.touching) {
       ++degree[contact.a];
       ++degree[contact.b];
     }
@@ -60,7 +60,7 @@ void measure_coordination(const NetworkFrame& frame, NetworkNumbers& n) {
 
 void count_contacts(const NetworkFrame& frame, NetworkNumbers& n) {
   for (const GrainContact& contact : frame.contacts) {
-    if (contact.overlap < 0) {
+    if (!contact.touching) {
       ++n.undecided;
       continue;
     }

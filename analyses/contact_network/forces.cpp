@@ -48,17 +48,25 @@ void classify(double force, bool across, const NetworkFrame& frame, NetworkNumbe
   n.strong_compression += force > *frame.settings.strong_force;
 }
 
+/// As listed, else by the law; NaN without either.
+double force_of(const NetworkFrame& frame, const GrainContact& contact) {
+  if (!std::isnan(contact.force) || !frame.settings.law.force) return contact.force;
+  return frame.settings.law.force(
+      contact.overlap, reduced_radius(frame.grains[contact.a], frame.grains[contact.b]));
+}
+
 }  // namespace
 
 void measure_forces(const NetworkFrame& frame, NetworkNumbers& n) {
-  if (!frame.settings.law.force) return;
+  if (!frame.settings.law.force && std::isnan(n.listed)) return;
   n.tension = n.compression = n.tension12 = n.compression12 = n.force12 = 0;
   if (frame.settings.strong_force) n.strong_tension = n.strong_compression = 0;
   std::vector<double> forces;
   for (const GrainContact& contact : frame.contacts) {
-    if (contact.overlap < 0) continue;
+    if (!contact.touching) continue;
     const Grain &a = frame.grains[contact.a], &b = frame.grains[contact.b];
-    const double force = frame.settings.law.force(contact.overlap, reduced_radius(a, b));
+    const double force = force_of(frame, contact);
+    if (std::isnan(force)) continue;
     forces.push_back(force);
     classify(force, a.body != b.body, frame, n);
     if (a.body == b.body) continue;
@@ -72,7 +80,7 @@ void measure_fabric(const NetworkFrame& frame, NetworkNumbers& n) {
   if (n.contacts == 0) return;
   Eigen::Matrix3d fabric = Eigen::Matrix3d::Zero();
   for (const GrainContact& contact : frame.contacts)
-    if (contact.overlap >= 0) fabric += contact.normal * contact.normal.transpose() / n.contacts;
+    if (contact.touching) fabric += contact.normal * contact.normal.transpose() / n.contacts;
   n.fabric_xx = fabric(0, 0);
   n.fabric_yy = fabric(1, 1);
   n.fabric_zz = fabric(2, 2);

@@ -15,6 +15,7 @@ struct NetworkNumbers {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   double contacts = 0, contacts1 = 0, contacts2 = 0, contacts12 = 0, undecided = 0;
+  double listed = unknown, unmatched = unknown;
   double coordination = unknown, coordination_error = unknown;
   double coordination_core = unknown, coordination_core_error = unknown, core_grains = 0;
   double made = unknown, broken = unknown, lost_contacts = unknown;

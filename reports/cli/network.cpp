@@ -43,6 +43,11 @@ void add_options(Options& options) {
       ("surface-energy", number("GAMMA"), "of one surface of the grains (default: of the scene)")  //
       ("rolling-displacement", number("XI_C"),
        "where rolling becomes inelastic, for the yield stress (default: of the scene)")        //
+      ("contacts", po::value<std::string>()->value_name("FILE"),
+       "local dump of the contacts' ids and forces, which then come before the overlap's; contacts that it "
+       "gives no force are by the overlap")                                                    //
+      ("contact-columns", po::value<std::string>()->value_name("ID,ID,FORCE"),
+       "its columns (default: c_ids[1],c_ids[2],c_pair[2], as sample-data/generate has them)")  //
       ("strong", number("SHARE"),
        "forces above this share of the pull-off force F_c count as strong (default: 0.1)")     //
       ("compacted", number("PHI"),
@@ -53,8 +58,20 @@ void add_options(Options& options) {
   add_output_options(options, true);
 }
 
+void set_list(const Values& values, NetworkOptions& options) {
+  if (values.count("contacts")) options.contacts = values["contacts"].as<std::string>();
+  if (!values.count("contact-columns")) return;
+  if (options.contacts.empty()) throw UsageError("--contact-columns: without --contacts");
+  const std::string names = values["contact-columns"].as<std::string>();
+  const auto first = names.find(','), second = names.find(',', first + 1);
+  if (first == names.npos || second == names.npos || names.find(',', second + 1) != names.npos)
+    throw UsageError(fmt::format("--contact-columns {}: ID,ID,FORCE is expected", names));
+  options.contact_columns = {names.substr(0, first), names.substr(first + 1, second - first - 1),
+                             names.substr(second + 1)};
+}
+
 NetworkOptions network_options(const Values& values) {
-  return {{.radius = positive_option(values, "grain-radius"),
+  NetworkOptions options{{.radius = positive_option(values, "grain-radius"),
            .density = {},
            .surface_energy = positive_option(values, "surface-energy"),
            .modulus = positive_option(values, "grain-modulus"),
@@ -62,7 +79,10 @@ NetworkOptions network_options(const Values& values) {
            .rolling_displacement = positive_option(values, "rolling-displacement")},
           positive_option(values, "strong"),
           filling_option(values),
-          positive_option(values, "aggregate-modulus")};
+          positive_option(values, "aggregate-modulus"),
+          {}};
+  set_list(values, options);
+  return options;
 }
 
 /// In the first frame, of the core if there is one.
@@ -103,6 +123,7 @@ const Command network_command{
     "analyses/contact_network/contact_network.md.",
     "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz\n"
     "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --frames 0:1 --json\n"
+    "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --contacts sample-data/aggregate-tiny/contacts.dump.gz\n"
     "  mdana network dump.lammpstrj --units si --grain-radius 1e-7 -o network.csv",
     add_options,
     run_command};
