@@ -60,18 +60,16 @@ std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const Gra
   const Eigen::Matrix3Xd points = positions(grains);
   const double largest = largest_radius(grains);
   const CellList cells(points, 2 * largest - least_overlap(law, largest / 2));
-  for (std::uint32_t a = 0; a < grains.size(); ++a)
-    cells.for_neighbours(a, [&](Eigen::Index other, double squared) {
-      const auto b = static_cast<std::uint32_t>(other);
-      if (b < a) return;
-      const double distance = std::sqrt(squared);
-      if (!(distance > 0))
-        throw InputError(fmt::format("two grains coincide {}", place(grains[a])));
-      const double overlap = grains[a].radius + grains[b].radius - distance;
-      if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b])))) return;
-      contacts.push_back(
-          {a, b, overlap, (points.col(other) - points.col(a)) / distance, overlap >= 0});
-    });
+  cells.for_pairs([&](Eigen::Index one, Eigen::Index other, double squared) {
+    const auto [first, second] = std::minmax(one, other);
+    const auto a = static_cast<std::uint32_t>(first), b = static_cast<std::uint32_t>(second);
+    const double distance = std::sqrt(squared);
+    if (!(distance > 0)) throw InputError(fmt::format("two grains coincide {}", place(grains[a])));
+    const double overlap = grains[a].radius + grains[b].radius - distance;
+    if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b])))) return;
+    contacts.push_back(
+        {a, b, overlap, (points.col(second) - points.col(first)) / distance, overlap >= 0});
+  });
   std::sort(contacts.begin(), contacts.end(), [](const GrainContact& p, const GrainContact& q) {
     return std::pair(p.a, p.b) < std::pair(q.a, q.b);
   });

@@ -19,18 +19,16 @@ std::vector<double> local_filling(std::span<const Grain> grains) {
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(grains.size()));
   for (std::size_t i = 0; i < grains.size(); ++i)
     points.col(static_cast<Eigen::Index>(i)) = grains[i].position;
-  const CellList cells(points, reach);
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    const auto share = [&](std::size_t k) {
-      const double r = grains[k].radius / reach;
-      return r * r * r;
-    };
-    double sum = share(i);
-    cells.for_neighbours(static_cast<Eigen::Index>(i), [&](Eigen::Index j, double squared) {
-      if (squared < reach * reach) sum += share(static_cast<std::size_t>(j));
-    });
-    filling.push_back(sum);
-  }
+  const auto share = [&](Eigen::Index i) {
+    const double r = grains[static_cast<std::size_t>(i)].radius / reach;
+    return r * r * r;
+  };
+  for (Eigen::Index i = 0; i < points.cols(); ++i) filling.push_back(share(i));
+  CellList(points, reach).for_pairs([&](Eigen::Index i, Eigen::Index j, double squared) {
+    if (!(squared < reach * reach)) return;
+    filling[static_cast<std::size_t>(i)] += share(j);
+    filling[static_cast<std::size_t>(j)] += share(i);
+  });
   return filling;
 }
 

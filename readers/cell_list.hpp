@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,35 @@ class CellList {
         for_row({c[0] + dx, c[1] + dy, c[2] - 1}, {c[0] + dx, c[1] + dy, c[2] + 1}, i, use);
   }
 
+  /// Calls use(i, j, squared distance) once for each two points in the same or in adjacent cells; in all, the
+  /// time of the number of points and of such pairs.
+  template <class Use>
+  void for_pairs(Use&& use) const {
+    constexpr std::array<std::array<std::int64_t, 2>, 4> ahead{{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+    std::array<Place, 4> from;  // where the rows ahead begin: only ever farther on, as points are in order
+    from.fill(sorted_.begin());
+    for (Place at = sorted_.begin(); at != sorted_.end(); ++at) {
+      const Cell& c = at->first;
+      pair_with(at, std::next(at), {c[0], c[1], c[2] + 1}, use);
+      for (std::size_t row = 0; row < ahead.size(); ++row) {
+        const auto [dx, dy] = ahead[row];
+        const Cell first{c[0] + dx, c[1] + dy, c[2] - 1}, last{first[0], first[1], c[2] + 1};
+        while (from[row] != sorted_.end() && from[row]->first < first) ++from[row];
+        pair_with(at, from[row], last, use);
+      }
+    }
+  }
+
  private:
   using Cell = std::array<std::int64_t, 3>;
+
+  using Place = std::vector<std::pair<Cell, Eigen::Index>>::const_iterator;
+
+  template <class Use>
+  void pair_with(Place at, Place it, const Cell& last, Use& use) const {
+    for (; it != sorted_.end() && it->first <= last; ++it)
+      use(at->second, it->second, (points_.col(it->second) - points_.col(at->second)).squaredNorm());
+  }
 
   Cell cell_of(Eigen::Index i) const {
     const Eigen::Vector3d scaled = ((points_.col(i) - origin_) / edge_).cwiseMin(0x1p62);

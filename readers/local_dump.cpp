@@ -88,12 +88,21 @@ void LocalDump::entries(std::int64_t count, LocalFrame& frame) {
     fail(fmt::format("the frame that ends here lists the pair {} {} twice", twice->id1, twice->id2));
 }
 
+bool LocalDump::pass_blank_lines() {
+  auto line = lines_.peek();
+  for (; line && trimmed(*line).empty(); line = lines_.peek()) lines_.line();
+  if (line) return true;
+  lines_.line();  // tells whether the file ends within a line
+  if (lines_.unfinished() || !lines_.bytes().damage().empty()) needed_line();
+  return false;
+}
+
 std::optional<LocalFrame> LocalDump::next() {
   LocalFrame frame;
   std::optional<std::int64_t> step, count;
-  for (auto line = lines_.line(); line; line = needed_line()) {
-    const std::string item(trimmed(*line));
-    if (item.empty() && !step && !count) continue;
+  if (!pass_blank_lines()) return std::nullopt;
+  while (true) {
+    const std::string item(trimmed(needed_line()));
     if (item == "ITEM: TIMESTEP") {
       step = whole(needed_line());
     } else if (item.starts_with("ITEM: NUMBER OF")) {
@@ -113,7 +122,6 @@ std::optional<LocalFrame> LocalDump::next() {
       fail(fmt::format("'{}' is no part of a local dump (ITEM: TIMESTEP, NUMBER OF ENTRIES, ENTRIES ...)", item));
     }
   }
-  return std::nullopt;
 }
 
 }  // namespace mdana

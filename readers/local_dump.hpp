@@ -42,6 +42,7 @@ class LocalDump {
  private:
   [[noreturn]] void fail(const std::string& what) const;
   std::string_view needed_line();
+  bool pass_blank_lines();  ///< false at the end of the file
   std::int64_t whole(std::string_view text) const;
   void find_columns(std::string_view names);
   ListedContact entry(std::string_view line) const;

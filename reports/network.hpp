@@ -54,8 +54,9 @@ MeasuredNetwork measure_network(const Run& run, const Radii& radii, const Networ
 
 void add_network(Document& document, const NetworkSetup& setup, const MeasuredNetwork& measured);
 
-/// Elastic constants and static yield stress that P2's estimates give, as far as their input is known.
+/// Elastic constants and static yield stress by the estimates of Arakawa et al. 2024, as far as their input is
+/// known; `coordination` is the mean inside.
 void add_aggregate_constants(Document& document, const NetworkSetup& setup,
-                             const NetworkOptions& options, double coordination);
+                             const NetworkOptions& options, const Value& coordination);
 
 }  // namespace mdana

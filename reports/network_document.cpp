@@ -68,10 +68,10 @@ void add_coordination(Document& document, const NetworkSetup& setup, const Table
   const auto at = [&](const char* column) { return table.column(column)[0]; };
   const double expected = cpe_coordination(setup.filling);
   document.number("coordination", {at("coordination"), at("coordination_error"), dimension::none},
-                  {{"of", "all grains, first frame"}});
+                  {{"of", "all grains, first frame used"}});
   if (at("core_grains") > 1)
     document.number("coordination_core", {at("coordination_core"), at("coordination_core_error"), dimension::none},
-                    {{"of", "grains deeper than two grain radii, first frame"}});
+                    {{"of", "grains deeper than two grain radii, first frame used"}});
   document.number("coordination_cpe", {expected, {}, dimension::none}, {{"of", "12 phi/phi_max"}});
 }
 
@@ -117,6 +117,27 @@ void add_left_out(Document& document, const NetworkSetup& setup) {
   document.left_out("contacts through periodic faces", "the bodies are put together first");
 }
 
+/// The errors are those of the coordination: what the estimate itself is off by is more.
+void add_moduli(Document& document, const NetworkSetup& setup, const NetworkOptions& options,
+                const Value& coordination) {
+  const double stiffness = contact_stiffness(*setup.contact);
+  const auto bulk = [&](double n) {
+    return bulk_modulus(setup.filling, n, stiffness, *setup.grains.radius);
+  };
+  Value modulus{bulk(coordination.value), {}, dimension::pressure};
+  if (coordination.error) modulus.error = bulk(*coordination.error);
+  document.number("aggregate.bulk_modulus", modulus,
+                  {{"of", "phi n_c k/(6 pi r), n_c as counted inside"}, {"stiffness", stiffness}});
+  if (!options.aggregate_modulus)
+    return document.left_out("aggregate.poisson_ratio",
+                             "E* of the aggregates is not known; add --aggregate-modulus");
+  const auto ratio = [&](double k) { return aggregate_poisson_ratio(*options.aggregate_modulus, k); };
+  Value nu{ratio(modulus.value), {}, dimension::none};
+  if (modulus.error && *modulus.error < modulus.value)
+    nu.error = (ratio(modulus.value + *modulus.error) - ratio(modulus.value - *modulus.error)) / 2;
+  document.number("aggregate.poisson_ratio", nu, {{"of", "E*_agg = 3 K (1 - 2 nu)/(2 (1 - nu^2))"}});
+}
+
 }  // namespace
 
 void add_network(Document& document, const NetworkSetup& setup, const MeasuredNetwork& measured) {
@@ -135,22 +156,11 @@ void add_network(Document& document, const NetworkSetup& setup, const MeasuredNe
 }
 
 void add_aggregate_constants(Document& document, const NetworkSetup& setup,
-                             const NetworkOptions& options, double coordination) {
-  const Grains& grains = setup.grains;
+                             const NetworkOptions& options, const Value& coordination) {
   document.number("aggregate.coordination_bcca", {bcca_coordination(setup.filling), {}, dimension::none},
                   {{"of", "compressed BCCA, 2 + 9.38 phi^1.62"}});
-  if (setup.contact) {
-    const double stiffness = contact_stiffness(*setup.contact);
-    const double bulk = bulk_modulus(setup.filling, coordination, stiffness, *grains.radius);
-    document.number("aggregate.bulk_modulus", {bulk, {}, dimension::pressure},
-                    {{"of", "phi n_c k/(6 pi r), n_c as counted in the core"}, {"stiffness", stiffness}});
-    if (options.aggregate_modulus)
-      document.number("aggregate.poisson_ratio",
-                      {aggregate_poisson_ratio(*options.aggregate_modulus, bulk), {}, dimension::none},
-                      {{"of", "E*_agg = 3 K (1 - 2 nu)/(2 (1 - nu^2))"}});
-    else
-      document.left_out("aggregate.poisson_ratio", "E* of the aggregates is not known; add --aggregate-modulus");
-  }
+  if (setup.contact) add_moduli(document, setup, options, coordination);
+  const Grains& grains = setup.grains;
   if (grains.surface_energy && grains.rolling_displacement)
     document.number("aggregate.static_yield_stress",
                     {static_yield_stress(setup.filling, *grains.radius, *grains.surface_energy,

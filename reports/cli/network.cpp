@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/network.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "reports/cli/command.hpp"
@@ -85,10 +83,11 @@ NetworkOptions network_options(const Values& values) {
   return options;
 }
 
-/// In the first frame, of the core if there is one.
-double coordination(const Table& table) {
-  const double core = table.column("coordination_core")[0];
-  return std::isnan(core) ? table.column("coordination")[0] : core;
+/// In the first frame used, of the core if it has two grains.
+Value coordination(const Table& table) {
+  const bool core = table.column("core_grains")[0] > 1;
+  const std::string name = core ? "coordination_core" : "coordination";
+  return {table.column(name)[0], table.column(name + "_error")[0], dimension::none};
 }
 
 int run_command(const Values& values) {

@@ -46,17 +46,17 @@ TEST(LocalDump, FramesAndColumnsInAnyOrder) {
 
 TEST(LocalDump, WhatIsWrongIsTold) {
   EXPECT_INPUT_ERROR(read("hello\n"), "list:1", "no part of a local dump");
-  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 x\n")), "list:13", "force");
-  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 nan\n")), "list:13", "finite");
-  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 2 0 1\n")), "list:13", "two different");
+  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 x\n")), "list:14", "force");
+  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 nan\n")), "list:14", "finite");
+  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 2 0 1\n")), "list:14", "two different");
   EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2.5 2 0 1\n")), "whole numbers");
-  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0\n")), "list:13", "4 columns", "5");
+  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0\n")), "list:14", "4 columns", "5");
   EXPECT_INPUT_ERROR(read(frame("7", "2", "1 2 3 0 1\n2 3 2 0 1\n")), "2 3 twice");
   EXPECT_INPUT_ERROR(read(frame("7", "1", "2 3\n", "a b")), "no column 'f'", "--contact-columns");
   EXPECT_INPUT_ERROR(read(frame("x", "1", "")), "list:6", "whole number");
   EXPECT_INPUT_ERROR(read(frame("7", "-1", "")), "negative");
   EXPECT_INPUT_ERROR(read(frame("7", "0", "") + frame("7", "0", "")), "does not come after");
-  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 1\n2 4 5 0 1\n")), "list:14", "no part");
+  EXPECT_INPUT_ERROR(read(frame("7", "1", "1 2 3 0 1\n2 4 5 0 1\n")), "list:15", "no part");
 }
 
 // A count that no file could hold makes nothing but this message.
@@ -64,7 +64,7 @@ TEST(LocalDump, CutOff) {
   EXPECT_THROW(read(frame("7", "9000000000000000000", "1 2 3 0 1\n")), TruncatedInput);
   const std::string whole = frame("7", "2", "1 2 3 0.5 1\n2 3 4 0.5 1\n");
   for (std::size_t size = 1; size < whole.size(); ++size)
-    EXPECT_THROW(read(whole.substr(0, size)), InputError) << size;
+    EXPECT_THROW(read(whole.substr(0, size)), TruncatedInput) << size;
 }
 
 }  // namespace
