@@ -13,6 +13,9 @@
 namespace mdana {
 namespace {
 
+/// A grain on average; hard grains of any radii have some 6 to 12.
+constexpr std::size_t most_contacts = 64;
+
 std::string place(const Grain& grain) {
   return fmt::format("at {:.9g} {:.9g} {:.9g}", grain.position.x(), grain.position.y(),
                      grain.position.z());
@@ -67,6 +70,9 @@ std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const Gra
     if (!(distance > 0)) throw InputError(fmt::format("two grains coincide {}", place(grains[a])));
     const double overlap = grains[a].radius + grains[b].radius - distance;
     if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b])))) return;
+    if (contacts.size() / most_contacts >= grains.size())
+      throw InputError(fmt::format("more than {} contacts a grain: are radii (the greatest is {:g}) and positions in "
+                                   "the same unit?", most_contacts, largest));
     contacts.push_back(
         {a, b, overlap, (points.col(second) - points.col(first)) / distance, overlap >= 0});
   });

@@ -43,7 +43,8 @@ double reduced_radius(const Grain& a, const Grain& b);
 /// All pairs that overlap; with a law also those apart up to pull-off (overlap < 0), whose contact
 /// holds only if they have touched before. Sorted by (a, b); the time is that of the
 /// number of grains, times (largest/smallest radius)^3 at worst. Throws InputError at grains
-/// whose position is not finite, whose radius is not positive, or that coincide.
+/// whose position is not finite, whose radius is not positive, or that coincide, and at more contacts than
+/// grains can have.
 std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const GrainLaw& law = {});
 
 /// What a list of contacts tells of these.

@@ -15,11 +15,12 @@ void add(Degrees& degrees, double degree) {
   degrees.merge({1, 1, Degrees::Vector(degree), 0});
 }
 
-/// Standard error of the mean; unknown for fewer than two grains.
+/// Standard error of the mean as if contacts were independent of each other, each of which counts for two
+/// grains; unknown for fewer than two grains.
 double standard_error(const Degrees& degrees) {
   if (degrees.count < 2) return NetworkNumbers::unknown;
   const auto n = static_cast<double>(degrees.count);
-  return std::sqrt(degrees.spread / (n * (n - 1)));
+  return std::sqrt(2 * degrees.spread / (n * (n - 1)));
 }
 
 /// Contacts of each grain.

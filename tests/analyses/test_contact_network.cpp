@@ -113,6 +113,12 @@ TEST(GrainContacts, GrainsThatCannotBeAreRefused) {
   EXPECT_INPUT_ERROR(find_contacts(std::vector{good, grain(1, 2, 3, INFINITY)}), "radius");
   EXPECT_INPUT_ERROR(find_contacts(std::vector{good, grain(nan, 2, 3, 1)}), "not a place");
   EXPECT_INPUT_ERROR(find_contacts(std::vector{good, good}), "coincide", "0 0 0");
+  auto crowd = heap(400, 3, 1);
+  const std::size_t before = find_contacts(crowd).size();
+  crowd.push_back(grain(1, 1, 1, 1e300));
+  EXPECT_EQ(find_contacts(crowd).size(), before + 400);  // it holds all others
+  for (Grain& g : crowd) g.radius = 1e300;
+  EXPECT_INPUT_ERROR(find_contacts(crowd), "contacts a grain", "same unit", "1e+300");
   EXPECT_TRUE(find_contacts({}).empty());
 }
 

@@ -95,7 +95,9 @@ class Network(Case):
         """12 phi/phi_max where a grain has all its places in the aggregate; within three standard errors."""
         document = self.document("network", DUMP, "--frames", "0:1")
         core = document["coordination_core"]
-        self.assertLess(abs(core["value"] - document["coordination_cpe"]["value"]), 3 * core["error"])
+        expected = document["coordination_cpe"]["at_equilibrium_overlap"]
+        self.assertAlmostEqual(expected, 12 * 0.4 / (np.pi / np.sqrt(18)) * (1 - self.jkr.delta0 / 200)**3, delta=1e-12)
+        self.assertLess(abs(core["value"] - expected), 3 * core["error"])
         self.assertLess(document["coordination"]["value"], core["value"])
         first, second, overlaps, _ = grains.pairs(self.frames[0])
         self.assertAlmostEqual(document["coordination"]["value"], 2 * len(overlaps) / 410, delta=1e-12)
