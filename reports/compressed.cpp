@@ -9,7 +9,7 @@
 
 #include "analyses/halves.hpp"
 #include "readers/input_error.hpp"
-#include "readers/last_digit.hpp"
+#include "reports/network.hpp"
 
 namespace mdana {
 namespace {
@@ -21,7 +21,8 @@ bool nearly(double a, double b) { return std::abs(a - b) <= alike * std::max(a, 
 
 double cube(double x) { return x * x * x; }
 
-ApproachSeries approach_by_sign(const Run& run, const RelativeMotion& motion, const Table& halves) {
+/// v_rel by the derivative if it was not measured; without it if frames are too few.
+ApproachSeries approach_by_sign(const RelativeMotion& motion, const Table& halves) {
   const auto distance = halves.column("half_distance");
   ApproachSeries series{motion.times, {distance.begin(), distance.end()}, {},
                         motion.position_noise, motion.velocity_noise};
@@ -30,10 +31,9 @@ ApproachSeries approach_by_sign(const Run& run, const RelativeMotion& motion, co
     series.speed.assign(speed.begin(), speed.end());
     return series;
   }
-  const Eigen::MatrixXd rate = told_of(run, [&] {
-    const Eigen::Map<const Eigen::RowVectorXd> row(distance.data(), static_cast<Eigen::Index>(distance.size()));
-    return derivative(motion.times, row, first_derivative);
-  });
+  if (motion.frames() <= first_derivative.degree) return series;
+  const Eigen::Map<const Eigen::RowVectorXd> row(distance.data(), motion.frames());
+  const Eigen::MatrixXd rate = derivative(motion.times, row, first_derivative);
   for (Eigen::Index i = 0; i < rate.cols(); ++i) series.speed.push_back(-rate(0, i));
   return series;
 }
@@ -42,6 +42,25 @@ void require_times(const Run& run) {
   if (run.first.time || run.timestep) return;
   throw InputError(fmt::format("{}: t_max and v_rel need the time between frames, which is unknown; add "
                                "--timestep DT, or dump with 'dump_modify time yes'", run.dump.string()));
+}
+
+/// As mdana network counts contacts, in the first frame that is used.
+void count_contacts(const Run& run, SweepOptions sweeping, CompressedRun& result) {
+  sweeping.frames = 1;
+  sweeping.progress = nullptr;
+  try {
+    const NetworkSetup setup = network_setup(run, result.radii, {});
+    const Table table = measure_network(run, result.radii, setup, sweeping).table;
+    result.coordination = {table.column("coordination")[0], table.column("coordination_error")[0], dimension::none};
+  } catch (const InputError& error) {
+    result.no_coordination = error.what();
+  }
+}
+
+void tell_coordination(Document& document, const CompressedRun& run) {
+  if (run.no_coordination.empty()) return document.number("coordination", run.coordination);
+  document.json("coordination", nullptr);
+  document.left_out("coordination", run.no_coordination);
 }
 
 /// Damage that ended the dump before the bodies met is part of the reason.
@@ -192,7 +211,8 @@ CompressedRun measure_compression(const Run& run, const RunOptions& options, con
   result.mass = {bodies[0].mass, bodies[1].mass};
   result.curve = curve_of(run, result.measured, source, result.radii);
   result.restitution = restitution(motion, result.curve);
-  result.series = {approach_by_sign(run, motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
+  result.series = {approach_by_sign(motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
+  count_contacts(run, sweeping, result);
   return result;
 }
 
@@ -223,8 +243,7 @@ void add_compression(Document& document, const CompressedRun& run, Split split, 
   tell_splits(document, c, offset);
   tell_bodies(document, run, c);
   tell_return(document, run, c, split);
-  document.json("coordination", nullptr);
-  document.left_out("coordination", "it is of the contact network");
+  tell_coordination(document, run);
   add_lost_atoms(document, run.measured.motion);
   if (run.curve.outcome == Outcome::unresolved)
     document.warn("the dump ends before the bodies separate or turn back: no outcome");
@@ -238,7 +257,7 @@ Table compression_table(const CompressedRun& run, Split split) {
   const auto add = [&](const std::string& suffix, Split which) {
     const ApproachSeries& series = run.series[static_cast<std::size_t>(which)];
     table.add_column({"delta" + suffix, dimension::length}, deltas(series, run.radii.sum()));
-    table.add_column({"v_rel" + suffix, dimension::velocity}, series.speed);
+    if (series.known()) table.add_column({"v_rel" + suffix, dimension::velocity}, series.speed);
   };
   add("", split);
   add("_sign", Split::sign);

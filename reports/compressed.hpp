@@ -39,6 +39,8 @@ struct CompressedRun {
   ForceCurve curve;
   Restitution restitution;
   std::array<ApproachSeries, 2> series;   ///< by Split
+  Value coordination;                     ///< mean over the grains of the first frame
+  std::string no_coordination;            ///< why it is not known; else empty
 
   double radius() const { return radii.sum() / 2; }
   bool equal_bodies() const;              ///< radii and masses within 1 %, as the paper's formulas have them

@@ -124,6 +124,9 @@ class OneRun(Aggregates):
         self.assertLess(abs(one["by_sign"]["delta_max"]["value"] / one["by_membership"]["delta_max"]["value"] - 1), 0.02)
         self.assertAlmostEqual(one["rho"]["value"], 0.4 * 0.001, delta=1e-6)
         self.assertEqual(one["phi"]["value"], 0.4)
+        # 12 phi/phi_max (39) is of grains inside; those at the surface have fewer contacts.
+        self.assertLess(one["coordination"]["value"], 12 * 0.4 / (math.pi / math.sqrt(18)))
+        self.assertGreater(one["coordination"]["value"], 3)
 
 
 class Study(Aggregates):
@@ -301,6 +304,16 @@ class Refused(Aggregates):
             frame.time = None
         path = dumps.write(self.dir / "timeless.dump", frames)
         self.refused("compress", path, "--radius", RADIUS, says=["--timestep"])
+
+    def test_too_few_frames_for_a_derivative(self):
+        """With forces four frames tell the outcome of nothing, but are no error."""
+        frames = [dumps.two_cubes(k, 0.5 * k, 10.3 - d, 0, 10 * d).without("vx", "vy", "vz")
+                  for k, d in enumerate((0.0, 0.5, 0.6, 0.5))]
+        path = dumps.write(self.dir / "few.dump", frames)
+        one = self.document("compress", path, "--radius", 5)
+        self.assertIsNone(one["delta_max"]["value"])
+        self.assertIn("frames are too few", json.dumps(one["left_out"]))
+        self.assertIn("delta", self.table("compress", path, "--radius", 5))
 
     def test_a_run_that_fails_does_not_stop_the_others(self):
         good = self.collide("good", 1.2, frames=40)
