@@ -55,6 +55,28 @@ class OneRun(Aggregates):
         self.assertEqual(one["split"], "sign")
         self.assertIsNone(one["coordination"])
 
+    def test_sticking(self):
+        """delta = d + exp(-g t)(b sin t - d cos t) after the touch: a damped oscillation, whose turns are 2 pi apart."""
+        d, g, v, dt = 0.5, 0.05, 0.5, 0.05
+        b = v - g * d
+        times = [0.3 * dt + k * dt for k in range(-40, 400)]
+        path = [(v * t, v) if t < 0 else
+                (d + math.exp(-g * t) * (b * math.sin(t) - d * math.cos(t)),
+                 math.exp(-g * t) * ((b + g * d) * math.cos(t) + (d - g * b) * math.sin(t))) for t in times]
+        dump = dumps.write(self.dir / "stick.dump", dumps.rigid_aggregates(path, dt, RADIUS, 6, 20.0))
+        one = self.document("compress", dump, "--radius", RADIUS)
+        turn = math.pi - math.atan((b + g * d) / (d - g * b))  # tan t = -(b + g d)/(d - g b)
+        top = d + math.exp(-g * turn) * (b * math.sin(turn) - d * math.cos(turn))
+        self.assertEqual(one["outcome"], "stick")
+        self.assertEqual(one["e"]["value"], 0)
+        self.assertAlmostEqual(one["t_max"]["value"], turn, delta=2e-5)
+        self.assertAlmostEqual(one["delta_max"]["value"], top, delta=1e-6)
+        period = one["return"]["oscillation_period"]
+        self.assertLessEqual(abs(period["value"] - 2 * math.pi), period["error"])
+        study = self.document("compress", dump, dump, "--radius", RADIUS)
+        self.assertEqual(study["summary"]["stick"], 2)
+        self.assertEqual(study["conditions"][0]["sticking_probability"]["value"], 1)
+
     def test_pairs_hold_the_true_one(self):
         """On the line of pairs E*, Y lies the true one, between two neighbours; 0.4 % is the curvature of the line there."""
         one = self.document("compress", self.collide("v", 1.2), "--radius", RADIUS)
