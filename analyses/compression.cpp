@@ -23,17 +23,9 @@ struct Cubic {
   double rate(double s) const { return (a() * s + b()) * s + rate0; }
   double value(double s) const { return d0 + s * (rate0 + s * (b() / 2 + s * a() / 3)); }
   double time(double s) const { return start + s * length; }
-  double second(double s) const { return (2 * a() * s + b()) / (length * length); }  ///< d2 delta/dt2
   double a() const { return 6 * (d0 - d1) + 3 * (rate0 + rate1); }
   double b() const { return 6 * (d1 - d0) - 4 * rate0 - 2 * rate1; }
 };
-
-/// Where the rate, positive at s = 0 and not at s = 1, is zero.
-double turn_of(const Cubic& c) {
-  const double root = std::sqrt(std::max(0.0, c.b() * c.b() - 4 * c.a() * c.rate0));
-  const double s = c.b() < 0 ? 2 * c.rate0 / (root - c.b()) : (-c.b() - root) / (2 * c.a());
-  return std::clamp(s, 0.0, 1.0);
-}
 
 /// Where the value, at most 0 at s = 0 and positive at s = 1, is zero: by bisection to rounding.
 double zero_of(const Cubic& c) {
@@ -59,6 +51,11 @@ struct Samples {
   Cubic between(std::size_t i) const {
     const double h = times[i + 1] - times[i];
     return {times[i], h, delta[i], delta[i + 1], h * rate[i], h * rate[i + 1]};
+  }
+  /// Over some frames about those between which the turn lies, so that noise hardly counts.
+  double deceleration(std::size_t i) const {
+    const std::size_t first = i - std::min<std::size_t>(i, 2), last = std::min(i + 3, times.size() - 1);
+    return (rate[first] - rate[last]) / (times[last] - times[first]);
   }
 };
 
@@ -94,10 +91,10 @@ struct Turned {
     time = samples.times[*frame];
     if (const auto i = falling_through_zero(samples.rate, *frame)) {
       const Cubic cubic = samples.between(*i);
-      const double s = turn_of(cubic);
+      const double s = cubic.rate0 / (cubic.rate0 - cubic.rate1);  // v_rel is nearly straight there
       delta = cubic.value(s);
       time = cubic.time(s);
-      deceleration = -cubic.second(s);
+      deceleration = samples.deceleration(*i);
     }
     std::size_t i = *frame;
     while (i > 0 && samples.delta[i - 1] > 0) --i;

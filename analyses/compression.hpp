@@ -29,10 +29,10 @@ struct MaximumCompression {
   std::string delta_reason, time_reason;
 };
 
-/// Between frames by the cubic that has X and v_rel of both; the turn is the zero of v_rel next to the
-/// greatest delta from which delta falls back by turning_point_fraction of its rise. Errors: the
-/// largest difference to the same from every second frame (even, odd), and with it the noise of X and,
-/// over the deceleration, of v_rel.
+/// The turn is the zero of v_rel, by a straight line between frames, next to the greatest delta from
+/// which delta falls back by turning_point_fraction of its rise; delta there and the contact are by the
+/// cubic that has X and v_rel of both frames. Errors: the largest difference to the same from every second
+/// frame (even, odd), and with it the noise of X and, over the deceleration, of v_rel.
 MaximumCompression maximum_compression(const ApproachSeries& series, double radius_sum);
 
 }  // namespace mdana

@@ -110,6 +110,8 @@ struct ContactFit {
   std::string reason;                   ///< why it is not usable, or empty
 };
 
+/// Not usable is also a fit of E* and Y of Andrews' law if the elastic limit describes the collisions as well
+/// (within two standard deviations); if the rigid plastic limit does, a note says so.
 /// Throws InputError if an observation lacks a parameter. Nothing free: what the law says as it stands.
 ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                        const ContactFitSettings& settings);

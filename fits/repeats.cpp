@@ -47,9 +47,12 @@ void set_errors(std::span<ObservedCollision> seen, const Groups& groups,
     for (const std::size_t i : group) {
       Measured& m = seen[i].*quantity;
       m.error = std::hypot(scatter, m.error > 0 ? m.error : 0);
-      if (!(m.error > 0)) m.error = unknown;
     }
   }
+}
+
+bool errors_known(const ObservedCollision& seen) {
+  return (!seen.delta_max.known() || seen.delta_max.error > 0) && (!seen.t_max.known() || seen.t_max.error > 0);
 }
 
 }  // namespace
@@ -86,7 +89,9 @@ bool set_errors_by_repeats(std::span<ObservedCollision> seen) {
   const Groups groups = repeats_of(seen);
   for (const auto quantity : {&ObservedCollision::delta_max, &ObservedCollision::t_max})
     set_errors(seen, groups, quantity);
-  return std::ranges::any_of(groups, [](const auto& g) { return g.size() > 1; });
+  if (std::ranges::all_of(seen, errors_known)) return true;
+  for (ObservedCollision& s : seen) s.delta_max.error = s.t_max.error = unknown;
+  return false;
 }
 
 }  // namespace mdana

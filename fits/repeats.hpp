@@ -24,8 +24,8 @@ Scatter scatter_of(std::span<const double> values);
 
 /// Sets the errors of delta_max and t_max to how repeated runs scatter, with the runs' own errors: of
 /// five repeats and more by themselves, else by the scatter, relative to the means, of all repeats
-/// together. Without any repeats nothing tells how runs scatter: errors are not known then. Returns
-/// whether there are repeats.
+/// together. Without any repeats nothing tells how runs scatter: none of the errors is known then.
+/// Returns whether they are.
 bool set_errors_by_repeats(std::span<ObservedCollision> seen);
 
 }  // namespace mdana

@@ -93,8 +93,9 @@ void add_summary(Document& document, std::span<const SeriesOutcome> outcomes) {
                                                  {"low", p.low},
                                                  {"high", p.high},
                                                  {"interval", "Wilson, 95 %"}});
-  document.line("sticking probability", fmt::format("{:.3g} ({:.3g} to {:.3g} at 95 %, Wilson)",
-                                                    p.value, p.low, p.high));
+  document.line("sticking probability",
+                stuck + bounced == 0 ? "not determined"
+                                     : fmt::format("{:.3g} ({:.3g} to {:.3g} at 95 %, Wilson)", p.value, p.low, p.high));
   add_restitution_of(document, "e_rms", restitutions(outcomes, true));
   add_restitution_of(document, "e_rms_bouncing", restitutions(outcomes, false));
 }

@@ -9,7 +9,7 @@
 
 #include "analyses/halves.hpp"
 #include "readers/input_error.hpp"
-#include "readers/last_digit.hpp"
+#include "reports/network.hpp"
 
 namespace mdana {
 namespace {
@@ -21,7 +21,8 @@ bool nearly(double a, double b) { return std::abs(a - b) <= alike * std::max(a, 
 
 double cube(double x) { return x * x * x; }
 
-ApproachSeries approach_by_sign(const Run& run, const RelativeMotion& motion, const Table& halves) {
+/// v_rel by the derivative if it was not measured; without it if frames are too few.
+ApproachSeries approach_by_sign(const RelativeMotion& motion, const Table& halves) {
   const auto distance = halves.column("half_distance");
   ApproachSeries series{motion.times, {distance.begin(), distance.end()}, {},
                         motion.position_noise, motion.velocity_noise};
@@ -30,10 +31,9 @@ ApproachSeries approach_by_sign(const Run& run, const RelativeMotion& motion, co
     series.speed.assign(speed.begin(), speed.end());
     return series;
   }
-  const Eigen::MatrixXd rate = told_of(run, [&] {
-    const Eigen::Map<const Eigen::RowVectorXd> row(distance.data(), static_cast<Eigen::Index>(distance.size()));
-    return derivative(motion.times, row, first_derivative);
-  });
+  if (motion.frames() <= first_derivative.degree) return series;
+  const Eigen::Map<const Eigen::RowVectorXd> row(distance.data(), motion.frames());
+  const Eigen::MatrixXd rate = derivative(motion.times, row, first_derivative);
   for (Eigen::Index i = 0; i < rate.cols(); ++i) series.speed.push_back(-rate(0, i));
   return series;
 }
@@ -42,6 +42,35 @@ void require_times(const Run& run) {
   if (run.first.time || run.timestep) return;
   throw InputError(fmt::format("{}: t_max and v_rel need the time between frames, which is unknown; add "
                                "--timestep DT, or dump with 'dump_modify time yes'", run.dump.string()));
+}
+
+/// As mdana network counts contacts, in the first frame that is used.
+void count_contacts(const Run& run, SweepOptions sweeping, CompressedRun& result) {
+  sweeping.frames = 1;
+  sweeping.progress = nullptr;
+  try {
+    const NetworkSetup setup = network_setup(run, result.radii, {});
+    const Table table = measure_network(run, result.radii, setup, sweeping).table;
+    result.coordination = {table.column("coordination")[0], table.column("coordination_error")[0], dimension::none};
+  } catch (const InputError& error) {
+    result.no_coordination = error.what();
+  }
+}
+
+void tell_coordination(Document& document, const CompressedRun& run) {
+  if (run.no_coordination.empty()) return document.number("coordination", run.coordination);
+  document.json("coordination", nullptr);
+  document.left_out("coordination", run.no_coordination);
+}
+
+/// Damage that ended the dump before the bodies met is part of the reason.
+ForceCurve curve_of(const Run& run, const MeasuredMotion& measured, ForceSource source, const Radii& radii) {
+  try {
+    return touching_force_curve(run, measured.motion, source, radii);
+  } catch (const InputError& error) {
+    if (measured.swept.damage.empty()) throw;
+    throw InputError(fmt::format("{}. {}", error.what(), measured.swept.damage));
+  }
 }
 
 Value over(const Value& value, double length) {
@@ -100,6 +129,7 @@ void tell_bodies(Document& document, const CompressedRun& run, const Compressing
   document.text("radius_source", run.radii.source);
   document.number("R_eff", {c.effective_radius, {}, dimension::length});
   document.number("rho", {c.density, {}, Dimension{1, -3, 0}});
+  if (run.filling_factor) document.number("phi", {*run.filling_factor, {}, dimension::none});
   const double unit = force_per_mass_acceleration(run.units);
   document.number("m_star", {c.impact.mass / unit, {}, dimension::mass});
   document.number("m_star_counted", {c.counted_mass / unit, {}, dimension::mass});
@@ -116,9 +146,11 @@ void tell_receding(Document& document, const ApproachSeries& series, const Maxim
   const auto at = std::ranges::min_element(series.speed.begin() + begin, series.speed.end());
   double change = std::abs(*at - *(at - 1));
   if (at + 1 != series.speed.end()) change = std::max(change, std::abs(*at - *(at + 1)));
-  const double time = series.times[static_cast<std::size_t>(at - series.speed.begin())];
+  const auto k = static_cast<std::size_t>(at - series.speed.begin());
   document.number("return.greatest_speed", {-*at, change, dimension::velocity});
-  document.number("return.time_of_greatest_speed", {time - best.contact_time, {}, dimension::time});
+  if (best.time_reason.empty())
+    document.number("return.time_of_greatest_speed", {series.times[k] - best.contact_time,
+                                                      series.times[k] - series.times[k - 1], dimension::time});
 }
 
 void tell_oscillation(Document& document, const CompressedRun& run) {
@@ -135,12 +167,14 @@ void tell_oscillation(Document& document, const CompressedRun& run) {
 
 void tell_return(Document& document, const CompressedRun& run, const Compressing& c, Split split) {
   const auto k = static_cast<std::size_t>(split);
-  add_restitution(document, run.restitution);
+  const Restitution& r = run.restitution;
+  add_restitution(document, r);
+  if (!r.reason.empty() && !std::isnan(r.speed_before.value)) document.number("speed_before", r.speed_before);
   tell_receding(document, run.series[k], c.by[k]);
   tell_oscillation(document, run);
   if (run.interaction == Interaction::aggregate)
-    document.text("return.note", "LAMMPS' granular JKR breaks contacts at -0.397 delta_0 instead of -0.825: compression is "
-                                 "that of the paper, the return phase is not");
+    document.text("return.note", "LAMMPS' granular JKR breaks contacts at -0.397 delta_0 instead of -0.825: compression "
+                                 "is that of the paper, the return phase is not");
 }
 
 std::vector<double> deltas(const ApproachSeries& series, double radius_sum) {
@@ -161,8 +195,12 @@ ApproachSeries approach_by_membership(const RelativeMotion& motion) {
 
 CompressedRun measure_compression(const Run& run, const RunOptions& options, const SweepOptions& sweeping) {
   require_times(run);
-  CompressedRun result{run.dump.string(), run.units, run.scene.interaction, find_radii(run, options),
-                       {}, {}, {}, {}, {}};
+  CompressedRun result;
+  result.dump = run.dump.string();
+  result.units = run.units;
+  result.interaction = run.scene.interaction;
+  result.filling_factor = run.scene.filling_factor;
+  result.radii = find_radii(run, options);
   const bool velocity = run.first.has_column("vx");
   const ForceSource source = best_force_source(run);
   std::vector<std::unique_ptr<Analysis>> halves;
@@ -171,9 +209,10 @@ CompressedRun measure_compression(const Run& run, const RunOptions& options, con
   const RelativeMotion& motion = result.measured.motion;
   const auto bodies = body_motion(result.measured.swept.tables[0], 0);
   result.mass = {bodies[0].mass, bodies[1].mass};
-  result.curve = touching_force_curve(run, motion, source, result.radii);
+  result.curve = curve_of(run, result.measured, source, result.radii);
   result.restitution = restitution(motion, result.curve);
-  result.series = {approach_by_sign(run, motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
+  result.series = {approach_by_sign(motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
+  count_contacts(run, sweeping, result);
   return result;
 }
 
@@ -204,8 +243,7 @@ void add_compression(Document& document, const CompressedRun& run, Split split, 
   tell_splits(document, c, offset);
   tell_bodies(document, run, c);
   tell_return(document, run, c, split);
-  document.json("coordination", nullptr);
-  document.left_out("coordination", "it is of the contact network");
+  tell_coordination(document, run);
   add_lost_atoms(document, run.measured.motion);
   if (run.curve.outcome == Outcome::unresolved)
     document.warn("the dump ends before the bodies separate or turn back: no outcome");
@@ -219,7 +257,7 @@ Table compression_table(const CompressedRun& run, Split split) {
   const auto add = [&](const std::string& suffix, Split which) {
     const ApproachSeries& series = run.series[static_cast<std::size_t>(which)];
     table.add_column({"delta" + suffix, dimension::length}, deltas(series, run.radii.sum()));
-    table.add_column({"v_rel" + suffix, dimension::velocity}, series.speed);
+    if (series.known()) table.add_column({"v_rel" + suffix, dimension::velocity}, series.speed);
   };
   add("", split);
   add("_sign", Split::sign);

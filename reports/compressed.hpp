@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,12 +32,15 @@ struct CompressedRun {
   std::string dump;
   Units units = Units::lj;
   Interaction interaction = Interaction::unknown;
+  std::optional<double> filling_factor;   ///< by the scene
   Radii radii;
   std::array<double, 2> mass{};           ///< counted, of the first frame [mass]
   MeasuredMotion measured;
   ForceCurve curve;
   Restitution restitution;
   std::array<ApproachSeries, 2> series;   ///< by Split
+  Value coordination;                     ///< mean over the grains of the first frame
+  std::string no_coordination;            ///< why it is not known; else empty
 
   double radius() const { return radii.sum() / 2; }
   bool equal_bodies() const;              ///< radii and masses within 1 %, as the paper's formulas have them

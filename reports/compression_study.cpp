@@ -2,19 +2,22 @@
 #include "reports/compression_study.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fits/andrews_limits.hpp"
 #include "fits/repeats.hpp"
+#include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
 
 constexpr double same_density = 0.03;  ///< relative: aggregates of one filling factor
+constexpr double significant = 2;      ///< standard errors by which an offset must differ from zero
+constexpr double rounding = 1e-12;     ///< relative: least error of an offset, of points exactly on a line
 
 Measured measured(const Value& value) {
   Measured m{value.value};
@@ -70,19 +73,30 @@ std::vector<RadiusLineAt> lines_of(const CompressionStudy& study) {
   return lines;
 }
 
-/// Mean of the offsets, weighted by their errors if all are known.
+/// Mean of the offsets, weighted by their errors; none that is not told from zero.
 SurfaceOffset offset_of(const std::vector<RadiusLineAt>& lines) {
-  const auto known = [](const RadiusLineAt& l) { return l.line.offset.error && *l.line.offset.error > 0; };
-  const bool weighted = std::ranges::all_of(lines, known);
   double sum = 0, weights = 0;
   for (const RadiusLineAt& l : lines) {
-    const double weight = weighted ? 1 / (*l.line.offset.error * *l.line.offset.error) : 1;
-    sum += weight * l.line.offset.value;
-    weights += weight;
+    const Value& offset = l.line.offset;
+    if (!offset.error) continue;
+    const double error = std::max(*offset.error, rounding * std::abs(offset.value));
+    sum += offset.value / (error * error);
+    weights += 1 / (error * error);
   }
-  SurfaceOffset offset{{sum / weights, {}, dimension::length}, "delta_max against R_agg of this study"};
-  if (weighted) offset.value.error = 1 / std::sqrt(weights);
-  return offset;
+  SurfaceOffset none;
+  if (!(weights > 0)) return none;
+  const Value mean{sum / weights, 1 / std::sqrt(weights), dimension::length};
+  if (std::abs(mean.value) > significant * *mean.error) return {mean, "delta_max against R_agg of these runs"};
+  none.source = fmt::format("none: t_max counts from X = 2 R_agg, since delta_max against R_agg does not tell the offset "
+                            "({:.3g} with a standard error of {:.3g})", mean.value, *mean.error);
+  return none;
+}
+
+void require_one_system(const std::vector<CompressedRun>& runs) {
+  for (const CompressedRun& run : runs)
+    if (run.units != runs.front().units)
+      throw InputError(fmt::format("{} has units {}, {} has {}: give runs of one system of units", run.dump, name(run.units),
+                                   runs.front().dump, name(runs.front().units)));
 }
 
 void set_numbers(CompressionStudy& study) {
@@ -97,7 +111,7 @@ void collect(CompressionStudy& study) {
     study.fitted.push_back(i);
     study.seen.push_back(observed(study.runs[i], study.numbers[i], m.delta, m.time));
   }
-  if (!study.seen.empty()) study.repeated = set_errors_by_repeats(study.seen);
+  if (!study.seen.empty()) study.known_errors = set_errors_by_repeats(study.seen);
 }
 
 /// Why E* and Y are not even looked for; empty if they are.
@@ -108,32 +122,45 @@ std::string obstacle(const CompressionStudy& study) {
   for (const std::size_t i : study.fitted) density.push_back(study.numbers[i].density);
   const auto [least, greatest] = std::ranges::minmax(density);
   if (greatest > (1 + same_density) * least)
-    return fmt::format("the aggregates' densities go from {:g} to {:g}: E* and Y depend on the filling factor; give runs "
-                       "of one at a time", least, greatest);
+    return fmt::format("the aggregates' densities go from {:g} to {:g}: E* and Y depend on the filling factor; give "
+                       "runs of one at a time", least, greatest);
   return find_collision_law("andrews") ? "" : "this build has no law andrews";
 }
 
-ContactFit fit_of(const std::vector<ObservedCollision>& seen) {
-  const CollisionLaw& law = *find_collision_law("andrews");
+ContactFit fit_of(const std::vector<ObservedCollision>& seen, std::vector<FreeParameter> free,
+                  std::vector<NamedNumber> constants = {}) {
   ContactFitSettings settings;
-  settings.free = usual_free_parameters(law);
-  return fit_contact(law, seen, settings);
+  settings.free = std::move(free);
+  settings.constants = std::move(constants);
+  return fit_contact(*find_collision_law("andrews"), seen, settings);
+}
+
+/// The pairs of the first run: elastic, and rigid plastic.
+std::array<DegeneratePair, 2> limits_of(const CompressionStudy& study) {
+  const std::size_t i = study.fitted.front();
+  const auto pairs = degenerate_pairs(study.numbers[i].impact, study.maximum(i).delta.value, 3);
+  return {pairs.front(), pairs.back()};
 }
 
 void fit(CompressionStudy& study) {
+  constexpr double infinite = 1e8;  ///< in moduli of an elastic run, which differ from run to run
   study.no_fit = obstacle(study);
   if (!study.no_fit.empty()) return;
-  study.fit = fit_of(study.seen);
   std::vector<ObservedCollision> counted = study.seen;
   for (std::size_t k = 0; k < counted.size(); ++k)
     counted[k].given[1].value = 2 * study.numbers[study.fitted[k]].counted_mass;
-  study.counted_fit = fit_of(counted);
+  const auto both = usual_free_parameters(*find_collision_law("andrews"));
+  const auto [elastic, plastic] = limits_of(study);
+  const double stiff = infinite * elastic.modulus;
+  study.fits = {fit_of(study.seen, both), fit_of(counted, both),
+                fit_of(study.seen, {{"E", elastic.modulus}}, {{"Y", stiff}}),
+                fit_of(study.seen, {{"Y", plastic.yield_strength}}, {{"E", stiff}})};
 }
 
 }  // namespace
 
 bool CompressionStudy::fit_failed() const {
-  return fit && !fit->usable && by_velocity(seen).size() > 1;
+  return fits && !fits->both.usable && by_velocity(seen).size() > 1;
 }
 
 CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
@@ -141,11 +168,12 @@ CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
   CompressionStudy study;
   study.split = split;
   study.runs = std::move(runs);
+  require_one_system(study.runs);
   set_numbers(study);
   study.lines = lines_of(study);
   if (offset)
     study.offset = *offset;
-  else if (!study.lines.empty())
+  else
     study.offset = offset_of(study.lines);
   set_numbers(study);
   collect(study);

@@ -17,6 +17,14 @@ struct RadiusLineAt {
   RadiusLine line;
 };
 
+/// Andrews' law by delta_max and t_max (eqs 34, 35).
+struct AndrewsFits {
+  ContactFit both;           ///< E* and Y
+  ContactFit counted;        ///< the same with the counted masses
+  ContactFit elastic;        ///< E* alone, Y infinite
+  ContactFit rigid_plastic;  ///< Y alone, E* infinite
+};
+
 /// Several collisions of aggregates of one kind together.
 struct CompressionStudy {
   Split split = Split::sign;
@@ -26,10 +34,9 @@ struct CompressionStudy {
   std::vector<Compressing> numbers;       ///< one a run
   std::vector<std::size_t> fitted;        ///< runs whose delta_max and v are known
   std::vector<ObservedCollision> seen;    ///< one a fitted run, from R_eff, with m* of eq. 29
-  bool repeated = false;                  ///< some are repeats of others
-  std::optional<ContactFit> fit;          ///< E* and Y by delta_max and t_max (eqs 34, 35)
-  std::optional<ContactFit> counted_fit;  ///< the same with the counted masses
-  std::string no_fit;                     ///< why there is none
+  bool known_errors = false;              ///< there are repeats, which tell them
+  std::optional<AndrewsFits> fits;
+  std::string no_fit;                     ///< why there are none
 
   const MaximumCompression& maximum(std::size_t run) const {
     return numbers[run].by[static_cast<std::size_t>(split)];
@@ -38,8 +45,8 @@ struct CompressionStudy {
   bool fit_failed() const;
 };
 
-/// The offset is the one given, else that of the lines, else none. Throws InputError if it leaves
-/// nothing of a radius.
+/// The offset is the one given, else that of the lines if it differs from zero by two standard errors,
+/// else none. Throws InputError if it leaves nothing of a radius, or if runs have other units.
 CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
                                    const std::optional<SurfaceOffset>& offset);
 
@@ -47,11 +54,11 @@ CompressionStudy study_compression(std::vector<CompressedRun> runs, Split split,
 /// velocity allows. The runs themselves are told by add_compression.
 void add_compression_study(Document& document, const CompressionStudy& study);
 
-/// The pairs E*, Y that one delta_max allows (Fig. 10); `error` of delta_max.
+/// The pairs E*, Y that one delta_max from 2 R_eff allows (Fig. 10), and the two ends of the line.
 void add_degeneracy(Document& document, const Impact& impact, const Value& delta_max);
 
-/// A row a run: radii, v, delta_max, t_max, outcome, e, and by the fit, in the elastic and in the rigid
-/// plastic limit the same.
+/// A row a run: radii, v, delta_max, t_max, outcome, e, and if E* and Y are found delta_max and t_max by
+/// the fit, in the elastic and in the rigid plastic limit.
 Table compression_study_table(const CompressionStudy& study);
 
 }  // namespace mdana

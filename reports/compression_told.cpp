@@ -58,7 +58,7 @@ std::string scatter_text(const Scatter& s) {
 /// The repeats of one radius and velocity.
 class Condition {
  public:
-  Condition(const CompressionStudy& study, const std::vector<std::size_t>& group) : study_(study) {
+  Condition(const CompressionStudy& study, const std::vector<std::size_t>& group) {
     for (const std::size_t k : group) {
       const std::size_t i = study.fitted[k];
       const Compressing& c = study.numbers[i];
@@ -75,16 +75,21 @@ class Condition {
     const Scatter strain = scatter_of(strain_), time = scatter_of(time_);
     const double radius = scatter_of(radius_).mean, velocity = scatter_of(velocity_).mean;
     const BinomialShare p = wilson(stuck_, stuck_ + bounced_);
-    all.push_back({{"R_eff", radius}, {"v", velocity}, {"runs", strain_.size()}, {"delta_max_over_R_eff", scatter_json(strain)},
-                   {"t_max", scatter_json(time)}, {"stick", stuck_}, {"bounce", bounced_},
-                   {"sticking_probability", {{"value", number(p.value)}, {"low", number(p.low)}, {"high", number(p.high)}}}});
+    all.push_back({{"R_eff", radius},
+                   {"v", velocity},
+                   {"runs", strain.count},
+                   {"delta_max_over_R_eff", scatter_json(strain)},
+                   {"t_max", scatter_json(time)},
+                   {"stick", stuck_},
+                   {"bounce", bounced_},
+                   {"sticking_probability",
+                    {{"value", number(p.value)}, {"low", number(p.low)}, {"high", number(p.high)}}}});
     document.line(fmt::format("R_eff {:.5g}, v {:.4g}", radius, velocity),
-                  fmt::format("{} run{}: delta_max/R_eff {}, t_max {}; {} stick, {} bounce", strain_.size(),
-                              strain_.size() == 1 ? "" : "s", scatter_text(strain), scatter_text(time), stuck_, bounced_));
+                  fmt::format("{} run{}: delta_max/R_eff {}, t_max {}; {} stick, {} bounce", strain.count,
+                              strain.count == 1 ? "" : "s", scatter_text(strain), scatter_text(time), stuck_, bounced_));
   }
 
  private:
-  const CompressionStudy& study_;
   std::vector<double> strain_, time_, radius_, velocity_;
   std::size_t stuck_ = 0, bounced_ = 0;
 };
@@ -111,32 +116,82 @@ void tell_degeneracy(Document& document, const CompressionStudy& study) {
   add_degeneracy(document, impact, delta);
 }
 
-void tell_fit(Document& document, const CompressionStudy& study) {
-  if (!study.fit) return document.left_out("E_star, Y", study.no_fit);
-  const ContactFit& fit = *study.fit;
-  const CollisionLaw& law = *find_collision_law("andrews");
-  if (fit.usable) {
-    document.number("E_star", value_of(fit.parameters[0]));
-    document.number("Y", value_of(fit.parameters[1]));
-  } else {
-    document.json("E_star", nullptr);
-    document.json("Y", nullptr);
-    document.left_out("E_star, Y", fit.reason);
-  }
-  if (study.counted_fit && study.counted_fit->usable) {
-    document.number("with_counted_mass.E_star", value_of(study.counted_fit->parameters[0]));
-    document.number("with_counted_mass.Y", value_of(study.counted_fit->parameters[1]));
-  }
-  ContactFitSettings settings;
-  settings.free = usual_free_parameters(law);
-  add_contact_fit(document, law, settings, study.seen, fit);
+void tell_limit(Document& document, const std::string& limit, const std::string& parameter, const ContactFit& fit) {
+  if (!fit.usable) return document.json(limit, {{parameter, nullptr}, {"chi2", nullptr}});
+  document.number(limit + "." + parameter, value_of(fit.parameters[0]), {{"chi2", number(fit.chi2)}});
 }
 
-/// Of one run: the impact with the E* that was found.
-Impact impact_of(const CompressionStudy& study, std::size_t run, double modulus) {
-  Impact impact = study.numbers[run].impact;
-  impact.modulus = modulus;
-  return impact;
+void tell_fit(Document& document, const CompressionStudy& study) {
+  if (!study.fits) {
+    document.warn("no E*, Y: " + study.no_fit);
+    return document.left_out("E_star, Y", study.no_fit);
+  }
+  const auto& [both, counted, elastic, rigid_plastic] = *study.fits;
+  for (const auto& [name, k] : {std::pair{"E_star", 0}, {"Y", 1}})
+    if (both.usable)
+      document.number(name, value_of(both.parameters[static_cast<std::size_t>(k)]));
+    else
+      document.json(name, nullptr);
+  if (!both.usable) document.left_out("E_star, Y", both.reason);
+  if (counted.usable) {
+    document.number("with_counted_mass.E_star", value_of(counted.parameters[0]));
+    document.number("with_counted_mass.Y", value_of(counted.parameters[1]));
+  }
+  tell_limit(document, "elastic_limit", "E_star", elastic);
+  tell_limit(document, "rigid_plastic_limit", "Y", rigid_plastic);
+  const CollisionLaw& law = *find_collision_law("andrews");
+  ContactFitSettings settings;
+  settings.free = usual_free_parameters(law);
+  add_contact_fit(document, law, settings, study.seen, both);
+}
+
+/// A row a run of a study.
+class RunTable {
+ public:
+  explicit RunTable(const CompressionStudy& study) : study_(study) {}
+
+  /// `of` makes the value of the run with that index.
+  template <class Of>
+  void add(ColumnSpec spec, Of&& of) {
+    std::vector<double> column;
+    for (std::size_t i = 0; i < study_.runs.size(); ++i) column.push_back(of(i));
+    table_.add_column(std::move(spec), std::move(column));
+  }
+
+  /// A value and its error.
+  template <class Of>
+  void add_value(const std::string& name, Dimension dimension, Of&& of) {
+    add({name, dimension}, [&](std::size_t i) { return of(i).value; });
+    add({name + "_error", dimension}, [&](std::size_t i) { return of(i).error.value_or(none); });
+  }
+
+  /// delta_max and t_max by a model of the impact.
+  template <class Model>
+  void add_model(const std::string& name, double modulus, Model&& model) {
+    const auto by_model = [&](std::size_t i) {
+      Impact impact = study_.numbers[i].impact;
+      impact.modulus = modulus;
+      return impact.velocity > 0 ? model(impact) : Compressed{none, none};
+    };
+    add({"delta_max_" + name, dimension::length}, [&](std::size_t i) { return by_model(i).delta_max; });
+    add({"t_max_" + name, dimension::time}, [&](std::size_t i) { return by_model(i).t_max; });
+  }
+
+  Table take() { return std::move(table_); }
+
+ private:
+  const CompressionStudy& study_;
+  Table table_;
+};
+
+void add_models(RunTable& table, const AndrewsFits& fits) {
+  const double modulus = fits.both.parameters[0].value, strength = fits.both.parameters[1].value;
+  table.add_model("fit", modulus, [&](const Impact& impact) {
+    const Collision c = collide(*find_collision_law("andrews"), {impact, {strength}});
+    return Compressed{c.delta_max, c.t_max};
+  });
+  table.add_model("elastic", modulus, elastic_limit);
+  table.add_model("rigid_plastic", modulus, [&](const Impact& impact) { return rigid_plastic_limit(impact, strength); });
 }
 
 }  // namespace
@@ -163,10 +218,11 @@ void add_degeneracy(Document& document, const Impact& impact, const Value& delta
 }
 
 void add_compression_study(Document& document, const CompressionStudy& study) {
+  document.set_units(study.runs.front().units);
   document.text("split", std::string(split_names[static_cast<std::size_t>(study.split)]));
   tell_lines(document, study);
   tell_conditions(document, study);
-  document.json("errors_from", study.repeated ? "the scatter of repeated runs, with the sampling of each"
+  document.json("errors_from", study.known_errors ? "the scatter of repeated runs, with the sampling of each"
                                               : "no repeated runs: not known");
   tell_degeneracy(document, study);
   tell_fit(document, study);
@@ -175,44 +231,22 @@ void add_compression_study(Document& document, const CompressionStudy& study) {
 Table compression_study_table(const CompressionStudy& study) {
   std::vector<std::string> dumps;
   for (const CompressedRun& run : study.runs) dumps.push_back(run.dump);
-  Table table;
-  const auto add = [&](ColumnSpec spec, auto&& of) {
-    std::vector<double> column;
-    for (std::size_t i = 0; i < study.runs.size(); ++i) column.push_back(of(i));
-    table.add_column(std::move(spec), std::move(column));
-  };
   const auto& runs = study.runs;
   const auto& numbers = study.numbers;
-  const auto error = [](const Value& value) { return value.error.value_or(none); };
-  add({"dump", dimension::none, dumps}, [](std::size_t i) { return static_cast<double>(i); });
-  add({"outcome", dimension::none, {"bounce", "stick", "unresolved"}},
-      [&](std::size_t i) { return static_cast<double>(runs[i].curve.outcome); });
-  add({"R_agg", dimension::length}, [&](std::size_t i) { return runs[i].radius(); });
-  add({"R_eff", dimension::length}, [&](std::size_t i) { return numbers[i].effective_radius; });
-  add({"v", dimension::velocity}, [&](std::size_t i) { return numbers[i].impact.velocity; });
-  add({"delta_max", dimension::length}, [&](std::size_t i) { return study.maximum(i).delta.value + 2 * study.offset.value.value; });
-  add({"delta_max_eff", dimension::length}, [&](std::size_t i) { return study.maximum(i).delta.value; });
-  add({"delta_max_error", dimension::length}, [&](std::size_t i) { return error(study.maximum(i).delta); });
-  add({"t_max", dimension::time}, [&](std::size_t i) { return study.maximum(i).time.value; });
-  add({"t_max_error", dimension::time}, [&](std::size_t i) { return error(study.maximum(i).time); });
-  add({"e", dimension::none}, [&](std::size_t i) { return runs[i].restitution.e.value; });
-  if (!study.fit || !study.fit->usable) return table;
-  const double modulus = study.fit->parameters[0].value, strength = study.fit->parameters[1].value;
-  const auto add_model = [&](const std::string& suffix, auto&& of) {
-    const auto by_model = [&](std::size_t i) {
-      return numbers[i].impact.velocity > 0 ? of(impact_of(study, i, modulus)) : Compressed{none, none};
-    };
-    add({"delta_max" + suffix, dimension::length}, [&](std::size_t i) { return by_model(i).delta_max; });
-    add({"t_max" + suffix, dimension::time}, [&](std::size_t i) { return by_model(i).t_max; });
-  };
-  const CollisionLaw& law = *find_collision_law("andrews");
-  add_model("_fit", [&](const Impact& i) {
-    const Collision c = collide(law, {i, {strength}});
-    return Compressed{c.delta_max, c.t_max};
-  });
-  add_model("_elastic", [&](const Impact& i) { return elastic_limit(i); });
-  add_model("_rigid_plastic", [&](const Impact& i) { return rigid_plastic_limit(i, strength); });
-  return table;
+  RunTable table(study);
+  table.add({"dump", dimension::none, dumps}, [](std::size_t i) { return static_cast<double>(i); });
+  table.add({"outcome", dimension::none, {"bounce", "stick", "unresolved"}},
+            [&](std::size_t i) { return static_cast<double>(runs[i].curve.outcome); });
+  table.add({"R_agg", dimension::length}, [&](std::size_t i) { return runs[i].radius(); });
+  table.add({"R_eff", dimension::length}, [&](std::size_t i) { return numbers[i].effective_radius; });
+  table.add({"v", dimension::velocity}, [&](std::size_t i) { return numbers[i].impact.velocity; });
+  table.add({"delta_max", dimension::length},
+            [&](std::size_t i) { return study.maximum(i).delta.value + 2 * study.offset.value.value; });
+  table.add_value("delta_max_eff", dimension::length, [&](std::size_t i) { return study.maximum(i).delta; });
+  table.add_value("t_max", dimension::time, [&](std::size_t i) { return study.maximum(i).time; });
+  table.add({"e", dimension::none}, [&](std::size_t i) { return runs[i].restitution.e.value; });
+  if (study.fits && study.fits->both.usable) add_models(table, *study.fits);
+  return table.take();
 }
 
 }  // namespace mdana

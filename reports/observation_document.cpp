@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;  ///< a study of some thousand runs
+constexpr std::size_t most_bytes = std::size_t{16} << 20;  ///< a study of some thousand runs
 
 /// {"value": ..., "error": ...} of a document; unknown if there is none.
 Measured number(const Json& document, const char* name) {

@@ -177,7 +177,7 @@ const Command compress_command{
     "dispersion of repeated runs, sticking statistics, and E* and Y by delta_max and t_max over velocities, with\n"
     "the elastic and the rigid plastic limit (Arakawa et al. 2024); the table has a row a run then. If the\n"
     "runs do not determine E* and Y, the exit code is 4 and the reason says what they determine.",
-    "  mdana compress sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
+    "  mdana compress sample-data/aggregate-tiny/dump.lammpstrj.gz\n"
     "  mdana compress run/dump.lammpstrj.gz --split membership --offset 50 -o compression.csv\n"
     "  mdana compress v5/dump.lammpstrj.gz v10/dump.lammpstrj.gz v20/dump.lammpstrj.gz --json",
     add_options,

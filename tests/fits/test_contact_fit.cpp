@@ -216,6 +216,26 @@ TEST(ContactFit, AndrewsBelowYieldKnowsNothingOfY) {
   EXPECT_NE(f.reason.find("only E is determined"), std::string::npos) << f.reason;
 }
 
+// Errors of 1 %: about the elastic law a Y at the edge of yield fits a greatest delta_max that is too large
+// by chance, and far beyond yield any E that is great enough.
+TEST(ContactFit, AndrewsInALimitKnowsOnlyOne) {
+  for (const auto& [Y, says] : {std::pair{20.0, "the elastic limit (Y"}, {0.6, "the rigid plastic limit (E"}}) {
+    Study data = andrews({{"E", 50}, {"Y", Y}}, {0.05, 0.1, 0.2, 0.4});
+    data.seen.back().delta_max.value *= 1.015;
+    const ContactFit f = fit("andrews", data, {one("E"), one("Y")});
+    EXPECT_FALSE(f.usable);
+    EXPECT_NE(f.reason.find(says), std::string::npos) << f.reason;
+  }
+}
+
+// E is found from exact numbers, but within their errors it could be infinite.
+TEST(ContactFit, AndrewsNearALimitSaysSo) {
+  const ContactFit f = fit("andrews", andrews({{"E", 50}, {"Y", 2}}, {0.05, 0.1, 0.2, 0.4}), {one("E"), one("Y")});
+  ASSERT_TRUE(f.usable) << f.reason;
+  ASSERT_EQ(f.notes.size(), 1u);
+  EXPECT_NE(f.notes[0].find("the rigid plastic limit (E infinite) describes the collisions as well"), std::string::npos);
+}
+
 // One velocity: t_max v/delta_max hardly depends on Y, so 1 % of it leaves everything open.
 TEST(ContactFit, AndrewsAtOneVelocityIsNotUsable) {
   const ContactFit f =
