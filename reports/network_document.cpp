@@ -162,6 +162,10 @@ void add_network(Document& document, const NetworkSetup& setup, const MeasuredNe
 
 void add_aggregate_constants(Document& document, const NetworkSetup& setup,
                              const NetworkOptions& options, const Value& coordination) {
+  if (setup.filling >= largest_filling)
+    return document.left_out("aggregate", fmt::format("the filling factor is {:.4g}, above {:.4f} of close packing: "
+                                                      "check the radii of grains and bodies",
+                                                      setup.filling, largest_filling));
   document.number("aggregate.coordination_bcca", {bcca_coordination(setup.filling), {}, dimension::none},
                   {{"of", "compressed BCCA, 2 + 9.38 phi^1.62"}});
   if (setup.contact) add_moduli(document, setup, options, coordination);

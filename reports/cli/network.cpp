@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/network.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "reports/cli/command.hpp"
@@ -44,7 +46,7 @@ void add_options(Options& options) {
       ("contacts", po::value<std::string>()->value_name("FILE"),
        "local dump of the contacts' ids and forces, which then come before the overlap's; contacts that it "
        "gives no force are by the overlap")                                                    //
-      ("contact-columns", po::value<std::string>()->value_name("ID,ID,FORCE"),
+      ("contact-columns", po::value<std::vector<std::string>>()->value_name("ID,ID,FORCE"),
        "its columns (default: c_ids[1],c_ids[2],c_pair[2], as sample-data/generate has them)")  //
       ("strong", number("SHARE"),
        "forces above this share of the pull-off force F_c count as strong (default: 0.1)")     //
@@ -60,12 +62,10 @@ void set_list(const Values& values, NetworkOptions& options) {
   if (values.count("contacts")) options.contacts = values["contacts"].as<std::string>();
   if (!values.count("contact-columns")) return;
   if (options.contacts.empty()) throw UsageError("--contact-columns: without --contacts");
-  const std::string names = values["contact-columns"].as<std::string>();
-  const auto first = names.find(','), second = names.find(',', first + 1);
-  if (first == names.npos || second == names.npos || names.find(',', second + 1) != names.npos)
-    throw UsageError(fmt::format("--contact-columns {}: ID,ID,FORCE is expected", names));
-  options.contact_columns = {names.substr(0, first), names.substr(first + 1, second - first - 1),
-                             names.substr(second + 1)};
+  const std::vector<std::string> names = names_option(values, "contact-columns");
+  if (names.size() != 3)
+    throw UsageError(fmt::format("--contact-columns: {} names; ID,ID,FORCE is expected", names.size()));
+  std::ranges::copy(names, options.contact_columns.begin());
 }
 
 NetworkOptions network_options(const Values& values) {
