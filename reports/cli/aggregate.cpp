@@ -27,14 +27,15 @@ struct InputName {
 };
 
 constexpr InputName input_names[] = {
-    {"r", &AggregateInput::r},         {"E", &AggregateInput::modulus},
-    {"nu", &AggregateInput::nu},       {"gamma", &AggregateInput::gamma},
-    {"xi_c", &AggregateInput::xi_c},   {"E_aggregate", &AggregateInput::aggregate_modulus}};
+    {"r", &AggregateInput::r},       {"E", &AggregateInput::modulus},
+    {"nu", &AggregateInput::nu},     {"gamma", &AggregateInput::gamma},
+    {"xi_c", &AggregateInput::xi_c}, {"E_aggregate", &AggregateInput::aggregate_modulus}};
 
 void set(AggregateInput& input, const NamedValue& given) {
   const auto it = std::ranges::find(input_names, given.name, &InputName::name);
   if (it == std::end(input_names))
-    throw UsageError(fmt::format("-p {}: r, E, nu, gamma, xi_c or E_aggregate is expected", given.name));
+    throw UsageError(
+        fmt::format("-p {}: r, E, nu, gamma, xi_c or E_aggregate is expected", given.name));
   double& value = input.*it->value;
   if (!std::isnan(value)) throw UsageError(fmt::format("-p {}: given twice", given.name));
   value = number_option("-p", given.name + "=" + given.text, given.text);
@@ -48,14 +49,16 @@ void set(AggregateInput& input, const NamedValue& given) {
 std::vector<double> fillings(const Values& values) {
   const std::string text = values["filling-factor"].as<std::string>();
   const std::string expected = fmt::format(
-      "--filling-factor {}: a number above 0 and below {:.4f} is expected, or FIRST:LAST:COUNT of such", text,
-      largest_filling);
+      "--filling-factor {}: a number above 0 and below {:.4f} is expected, or FIRST:LAST:COUNT of "
+      "such",
+      text, largest_filling);
   std::vector<double> all;
   if (text.find(':') == text.npos) {
     all.push_back(finite_number(text, expected));
   } else {
     const auto [first, last, count] = three_parts(text, expected);
-    all = evenly(finite_number(first, expected), finite_number(last, expected), count_number(count, expected));
+    all = evenly(finite_number(first, expected), finite_number(last, expected),
+                 count_number(count, expected));
   }
   for (const double phi : all)
     if (!(phi > 0 && phi < largest_filling)) throw UsageError(expected);
@@ -75,7 +78,11 @@ Table estimates(const AggregateInput& in, const std::vector<double>& phis) {
   for (const double phi : phis) {
     const double cpe = cpe_coordination(phi), bcca = bcca_coordination(phi);
     const double bulk = bulk_modulus(phi, cpe, stiffness, in.r);
-    const double row[] = {phi, cpe, bcca, bulk, bulk_modulus(phi, bcca, stiffness, in.r),
+    const double row[] = {phi,
+                          cpe,
+                          bcca,
+                          bulk,
+                          bulk_modulus(phi, bcca, stiffness, in.r),
                           aggregate_poisson_ratio(in.aggregate_modulus, bulk),
                           static_yield_stress(phi, in.r, in.gamma, in.xi_c)};
     table.add_row(row);
@@ -93,7 +100,8 @@ void add_results(Document& document, const Table& table) {
     for (std::size_t c = 0; c < table.columns().size(); ++c) {
       const double value = table.column(c)[row];
       const std::string& name = table.columns()[c].name;
-      entry[name] = std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
+      entry[name] =
+          std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
       if (c > 0) text += fmt::format("{}{} {}", c > 1 ? "  " : "", name, cell(value));
     }
     document.line(fmt::format("phi = {:.6g}", table.column(0)[row]), text);
@@ -103,12 +111,12 @@ void add_results(Document& document, const Table& table) {
 }
 
 void add_options(Options& options) {
-  options.add_options()                                                                       //
+  options.add_options()  //
       ("filling-factor", po::value<std::string>()->required()->value_name("PHI"),
-       "one, or FIRST:LAST:COUNT")                                                            //
+       "one, or FIRST:LAST:COUNT")  //
       ("parameter,p", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
-       "a constant, in any consistent units")                                                 //
-      ("json", po::bool_switch(), "print one JSON document on the standard output")           //
+       "a constant, in any consistent units")                                        //
+      ("json", po::bool_switch(), "print one JSON document on the standard output")  //
       ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
 }
 
@@ -130,13 +138,17 @@ const Command aggregate_command{
     "aggregate",
     "",
     "estimates for aggregates of grains over the filling factor",
-    "Coordination of CPE aggregates (close packing less random grains) and of compressed BCCA; bulk modulus\n"
-    "if every contact is at the equilibrium of JKR; Poisson's ratio that goes with E*; static yield stress of\n"
+    "Coordination of CPE aggregates (close packing less random grains) and of compressed BCCA; "
+    "bulk modulus\n"
+    "if every contact is at the equilibrium of JKR; Poisson's ratio that goes with E*; static "
+    "yield stress of\n"
     "compressed BCCA (Arakawa et al. 2024, Sec. 5: orders of magnitude).\n"
-    "Constants: radius r, Young's modulus E, Poisson's ratio nu and surface energy gamma of the grains, xi_c\n"
+    "Constants: radius r, Young's modulus E, Poisson's ratio nu and surface energy gamma of the "
+    "grains, xi_c\n"
     "where rolling becomes inelastic, reduced modulus E_aggregate of two aggregates.",
     "  mdana aggregate --filling-factor 0.4\n"
-    "  mdana aggregate --filling-factor 0.1:0.7:13 -p r=1e-7 -p E=7e9 -p nu=0.25 -p gamma=0.1 -p xi_c=8e-10 -o "
+    "  mdana aggregate --filling-factor 0.1:0.7:13 -p r=1e-7 -p E=7e9 -p nu=0.25 -p gamma=0.1 -p "
+    "xi_c=8e-10 -o "
     "aggregate.csv",
     add_options,
     run_command};
