@@ -25,7 +25,7 @@ struct ContactNetworkSettings {
   std::array<double, 2> radius;        ///< of body 1, 2 [length]
   std::optional<double> grain_radius;  ///< of every grain [length]; else the column `radius`
   GrainLaw law;                        ///< without it: no forces, nothing undecided
-  double force_noise = 0;              ///< [force] up to which one is neither tension nor compression
+  double force_noise = 0;  ///< [force] up to which one is neither tension nor compression
   std::optional<double> strong_force;  ///< [force] contacts above it count as strong
   std::optional<double> compacted;     ///< local filling factor above which a grain is compacted
   std::shared_ptr<const ReferenceNetwork> reference;  ///< grains are followed by id if there is one
@@ -37,9 +37,9 @@ struct ContactNetworkSettings {
 };
 
 /// The network of contacts of grains in two aggregates: numbers of contacts, coordination, normal
-/// forces, fabric, filling factors; NaN for what the settings do not allow. What the columns are is told in
-/// analyses/contact_network/contact_network.md. Keeps the grains of a frame, 48 bytes each, and while
-/// it counts some 600 bytes a grain.
+/// forces, fabric, filling factors; NaN for what the settings do not allow. What the columns are is
+/// told in analyses/contact_network/contact_network.md. Keeps the grains of a frame, 48 bytes each,
+/// and while it counts some 700 bytes a grain.
 std::unique_ptr<Analysis> make_contact_network(ContactNetworkSettings settings);
 
 }  // namespace mdana

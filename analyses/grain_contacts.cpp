@@ -26,7 +26,8 @@ void check(std::span<const Grain> grains) {
     throw InputError("more than 4294967295 grains");
   for (const Grain& grain : grains) {
     if (!grain.position.allFinite())
-      throw InputError(fmt::format("a grain of body {} is {}: not a place", grain.body, place(grain)));
+      throw InputError(
+          fmt::format("a grain of body {} is {}: not a place", grain.body, place(grain)));
     if (!(grain.radius > 0) || !std::isfinite(grain.radius))
       throw InputError(fmt::format("the grain {} has the radius {:g}; it must be positive",
                                    place(grain), grain.radius));
@@ -69,10 +70,13 @@ std::vector<GrainContact> find_contacts(std::span<const Grain> grains, const Gra
     const double distance = std::sqrt(squared);
     if (!(distance > 0)) throw InputError(fmt::format("two grains coincide {}", place(grains[a])));
     const double overlap = grains[a].radius + grains[b].radius - distance;
-    if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b])))) return;
+    if (overlap < 0 && !(overlap > least_overlap(law, reduced_radius(grains[a], grains[b]))))
+      return;
     if (contacts.size() / most_contacts >= grains.size())
-      throw InputError(fmt::format("more than {} contacts a grain: are radii (the greatest is {:g}) and positions in "
-                                   "the same unit?", most_contacts, largest));
+      throw InputError(fmt::format(
+          "more than {} contacts a grain: are radii (the greatest is {:g}) and positions in "
+          "the same unit?",
+          most_contacts, largest));
     contacts.push_back(
         {a, b, overlap, (points.col(second) - points.col(first)) / distance, overlap >= 0});
   });
@@ -95,7 +99,8 @@ ListedShare decide_by_list(std::span<const Grain> grains, std::span<GrainContact
     contact.force = at->force;
     ++share.listed;
   }
-  const auto acting = std::ranges::count_if(list, [](const ListedContact& c) { return c.force != 0; });
+  const auto acting =
+      std::ranges::count_if(list, [](const ListedContact& c) { return c.force != 0; });
   share.unmatched = static_cast<std::size_t>(acting) - share.listed;
   return share;
 }
@@ -103,8 +108,7 @@ ListedShare decide_by_list(std::span<const Grain> grains, std::span<GrainContact
 IdPairs touching_pairs(std::span<const Grain> grains, std::span<const GrainContact> contacts) {
   IdPairs pairs;
   for (const GrainContact& contact : contacts)
-    if (contact.touching)
-      pairs.push_back(std::minmax(grains[contact.a].id, grains[contact.b].id));
+    if (contact.touching) pairs.push_back(std::minmax(grains[contact.a].id, grains[contact.b].id));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

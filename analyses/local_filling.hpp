@@ -14,8 +14,8 @@ inline constexpr double filling_reach = 5;
 double mean_radius(std::span<const Grain> grains);  ///< [length]; 0 without grains
 
 /// Local filling factor at each grain: volume of the grains, of any body, whose centre is nearer
-/// than filling_reach mean radii, itself included, over that of the sphere. Less than the filling factor
-/// near a free surface. Throws as find_contacts does.
+/// than filling_reach mean radii, itself included, over that of the sphere. Less than the filling
+/// factor near a free surface. Throws as find_contacts does.
 std::vector<double> local_filling(std::span<const Grain> grains);
 
 }  // namespace mdana

@@ -7,10 +7,10 @@
 
 namespace mdana {
 
-/// Estimates of the elastic constants, the static yield stress and the coordination of an aggregate of
-/// equal adhesive spheres (Arakawa et al. 2024, Sec. 5; their numbers are (36) to (45)). They take all contacts to be
-/// alike, at the equilibrium of JKR, and the coordination not to change with pressure: orders of
-/// magnitude. phi is the filling factor, 0 to largest_filling.
+/// Estimates of the elastic constants, the static yield stress and the coordination of an aggregate
+/// of equal adhesive spheres (Arakawa et al. 2024, Sec. 5; their numbers are (36) to (45)). They
+/// take all contacts to be alike, at the equilibrium of JKR, and the coordination not to change
+/// with pressure: orders of magnitude. phi is the filling factor, 0 to largest_filling.
 
 /// pi/sqrt(18), of close packing; (40).
 inline constexpr double largest_filling = std::numbers::pi / (3 * std::numbers::sqrt2);
@@ -31,16 +31,17 @@ double equilibrium_overlap(const ElasticContact& contact);  ///< delta0 [length]
 double pull_force(const ElasticContact& contact);           ///< F_c [force]
 double contact_stiffness(const ElasticContact& contact);    ///< [force/length]
 
-/// K = phi n_c k/(6 pi r_1): -V dP/dV of P = phi n_c F/(4 pi r_1^2), grains nearer by ddelta; (36), (37),
-/// (41).
+/// K = phi n_c k/(6 pi r_1): -V dP/dV of P = phi n_c F/(4 pi r_1^2), grains nearer by ddelta; (36),
+/// (37), (41).
 double bulk_modulus(double phi, double coordination, double stiffness, double grain_radius);
 
-/// Poisson's ratio of E*_agg = E/(2 (1 - nu^2)), the reduced modulus of two equal aggregates, and of
-/// K = E/(3 (1 - 2 nu)); (42), solved for nu. Above -1 and below 1/2 for any two positive moduli.
+/// Poisson's ratio of E*_agg = E/(2 (1 - nu^2)), the reduced modulus of two equal aggregates, and
+/// of K = E/(3 (1 - 2 nu)); (42), solved for nu. Above -1 and below 1/2 for any two positive
+/// moduli.
 double aggregate_poisson_ratio(double reduced_modulus, double bulk_modulus);
 
-/// (E_roll/r_1^3) (1/phi - 1/phi_max)^-3 with E_roll = 6 pi^2 gamma r_1 xi_c, of quasistatic compression
-/// (Tatsuuma et al. 2023, for compressed BCCA); (44) [pressure]. Infinite at phi_max.
+/// (E_roll/r_1^3) (1/phi - 1/phi_max)^-3 with E_roll = 6 pi^2 gamma r_1 xi_c, of quasistatic
+/// compression (Tatsuuma et al. 2023, for compressed BCCA); (44) [pressure]. Infinite at phi_max.
 double static_yield_stress(double phi, double grain_radius, double surface_energy,
                            double rolling_displacement);
 

@@ -32,12 +32,12 @@ class CellList {
         for_row({c[0] + dx, c[1] + dy, c[2] - 1}, {c[0] + dx, c[1] + dy, c[2] + 1}, i, use);
   }
 
-  /// Calls use(i, j, squared distance) once for each two points in the same or in adjacent cells; in all, the
-  /// time of the number of points and of such pairs.
+  /// Calls use(i, j, squared distance) once for each two points in the same or in adjacent cells;
+  /// in all, the time of the number of points and of such pairs.
   template <class Use>
   void for_pairs(Use&& use) const {
     constexpr std::array<std::array<std::int64_t, 2>, 4> ahead{{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
-    std::array<Place, 4> from;  // where the rows ahead begin: only ever farther on, as points are in order
+    std::array<Place, 4> from;  // where the rows ahead begin: later and later, as points are sorted
     from.fill(sorted_.begin());
     for (Place at = sorted_.begin(); at != sorted_.end(); ++at) {
       const Cell& c = at->first;
@@ -59,7 +59,8 @@ class CellList {
   template <class Use>
   void pair_with(Place at, Place it, const Cell& last, Use& use) const {
     for (; it != sorted_.end() && it->first <= last; ++it)
-      use(at->second, it->second, (points_.col(it->second) - points_.col(at->second)).squaredNorm());
+      use(at->second, it->second,
+          (points_.col(it->second) - points_.col(at->second)).squaredNorm());
   }
 
   Cell cell_of(Eigen::Index i) const {
@@ -72,7 +73,8 @@ class CellList {
   void for_row(const Cell& first, const Cell& last, Eigen::Index i, Use& use) const {
     auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, Eigen::Index{0}});
     for (; it != sorted_.end() && it->first <= last; ++it)
-      if (it->second != i) use(it->second, (points_.col(it->second) - points_.col(i)).squaredNorm());
+      if (it->second != i)
+        use(it->second, (points_.col(it->second) - points_.col(i)).squaredNorm());
   }
 
   const Eigen::Matrix3Xd& points_;

@@ -47,8 +47,8 @@ std::string_view LocalDump::needed_line() {
   const auto line = lines_.line();
   if (line) return *line;
   const std::string damage = lines_.bytes().damage();
-  throw TruncatedInput(fmt::format("{}: ends within a frame, behind line {}{}", path_, lines_.number(),
-                                   damage.empty() ? "" : " (" + damage + ")"));
+  throw TruncatedInput(fmt::format("{}: ends within a frame, behind line {}{}", path_,
+                                   lines_.number(), damage.empty() ? "" : " (" + damage + ")"));
 }
 
 std::int64_t LocalDump::whole(std::string_view text) const {
@@ -63,8 +63,8 @@ void LocalDump::find_columns(std::string_view names) {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const auto it = std::ranges::find(words, columns_[k]);
     if (it == words.end())
-      fail(fmt::format("no column '{}' (there are: {}); name id, id and force by --contact-columns", columns_[k],
-                       trimmed(names)));
+      fail(fmt::format("no column '{}' (there are: {}); name id, id and force by --contact-columns",
+                       columns_[k], trimmed(names)));
     place_[k] = static_cast<std::size_t>(it - words.begin());
   }
 }
@@ -73,7 +73,8 @@ ListedContact LocalDump::entry(std::string_view line) const {
   const auto words = words_of(line);
   if (words.size() != width_)
     fail(fmt::format("{} columns (the header names {})", words.size(), width_));
-  const auto id1 = number_of<std::int64_t>(words[place_[0]]), id2 = number_of<std::int64_t>(words[place_[1]]);
+  const auto id1 = number_of<std::int64_t>(words[place_[0]]),
+             id2 = number_of<std::int64_t>(words[place_[1]]);
   const auto force = number_of<double>(words[place_[2]]);
   if (!id1 || !id2 || *id1 == *id2) fail("the two ids are not two different whole numbers");
   if (!force || !std::isfinite(*force)) fail("the force is not a finite number");
@@ -85,7 +86,8 @@ void LocalDump::entries(std::int64_t count, LocalFrame& frame) {
   std::ranges::sort(frame.contacts, {}, ids);
   const auto twice = std::ranges::adjacent_find(frame.contacts, {}, ids);
   if (twice != frame.contacts.end())
-    fail(fmt::format("the frame that ends here lists the pair {} {} twice", twice->id1, twice->id2));
+    fail(
+        fmt::format("the frame that ends here lists the pair {} {} twice", twice->id1, twice->id2));
 }
 
 bool LocalDump::pass_blank_lines() {
@@ -119,7 +121,9 @@ std::optional<LocalFrame> LocalDump::next() {
       entries(*count, frame);
       return frame;
     } else {
-      fail(fmt::format("'{}' is no part of a local dump (ITEM: TIMESTEP, NUMBER OF ENTRIES, ENTRIES ...)", item));
+      fail(fmt::format(
+          "'{}' is no part of a local dump (ITEM: TIMESTEP, NUMBER OF ENTRIES, ENTRIES ...)",
+          item));
     }
   }
 }

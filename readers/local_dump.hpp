@@ -33,8 +33,8 @@ class LocalDump {
   /// Throws InputError if the file cannot be opened.
   LocalDump(const std::filesystem::path& path, Columns columns);
 
-  /// The next frame; nothing at the end. Throws InputError naming the line, TruncatedInput if the file ends
-  /// within a frame. Steps must ascend.
+  /// The next frame; nothing at the end. Throws InputError naming the line, TruncatedInput if the
+  /// file ends within a frame. Steps must ascend.
   std::optional<LocalFrame> next();
 
   InputRecord record() { return lines_.bytes().record(); }

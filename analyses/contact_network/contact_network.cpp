@@ -23,7 +23,9 @@ class ContactNetworkPartial final : public Partial {
     for (std::size_t i = 0; i < x.size(); ++i) {
       const BodyIndex b = block.body[i];
       if (b != 1 && b != 2) continue;
-      grains_.push_back({{x[i], y[i], z[i]}, radius.empty() ? *settings_.grain_radius : radius[i], b,
+      grains_.push_back({{x[i], y[i], z[i]},
+                         radius.empty() ? *settings_.grain_radius : radius[i],
+                         b,
                          id.empty() ? 0 : id[i]});
     }
   }
@@ -91,8 +93,7 @@ std::unique_ptr<Analysis> make_contact_network(ContactNetworkSettings settings) 
 
 extern const AnalysisMember contact_network_analysis;
 const AnalysisMember contact_network_analysis{
-    "contact_network", "contacts of the grains of two aggregates",
-    [](const AnalysisSetup& setup) {
+    "contact_network", "contacts of the grains of two aggregates", [](const AnalysisSetup& setup) {
       const bool known = setup.scene.radii.size() == 2;
       ContactNetworkSettings settings;
       settings.radius = {known ? setup.scene.radii[0] : 1.0, known ? setup.scene.radii[1] : 1.0};

@@ -30,7 +30,8 @@ Points cuboctahedron() {
   return points;
 }
 
-/// Columns of the network of two bodies, of grains of radius r, with the centres of the bodies on the x axis.
+/// Columns of the network of two bodies, of grains of radius r, with the centres of the bodies on
+/// the x axis.
 std::map<std::string, double> network(const Points& body1, const Points& body2, double r) {
   AtomBlock block;
   block.reset(0, body1.size() + body2.size());
@@ -66,9 +67,10 @@ std::map<std::string, double> network(const Points& body1, const Points& body2, 
 
 }  // namespace
 
-// A cuboctahedron has 24 edges and 12 spokes; cubic symmetry makes its fabric isotropic. The chain lies along x,
-// its bonds have the overlaps 0, 0.5, 0 (within body 1, across, within body 2) and a grain apart by less than
-// pull-off behind it. With F = (overlap - 1/4)/2 two are in tension and the one across in compression.
+// A cuboctahedron has 24 edges and 12 spokes; cubic symmetry makes its fabric isotropic. The chain
+// lies along x, its bonds have the overlaps 0, 0.5, 0 (within body 1, across, within body 2) and a
+// grain apart by less than pull-off behind it. With F = (overlap - 1/4)/2 two are in tension and
+// the one across in compression.
 std::vector<KnownAnswer> contact_network_known() {
   auto fcc = network(cuboctahedron(), {{50, 0, 0}}, 1.0625);
   auto chain = network({{0, 0, 0}, {2, 0, 0}}, {{3.5, 0, 0}, {5.5, 0, 0}, {7.75, 0, 0}}, 1);

@@ -11,12 +11,10 @@ namespace {
 
 using Degrees = Moments<1>;
 
-void add(Degrees& degrees, double degree) {
-  degrees.merge({1, 1, Degrees::Vector(degree), 0});
-}
+void add(Degrees& degrees, double degree) { degrees.merge({1, 1, Degrees::Vector(degree), 0}); }
 
-/// Standard error of the mean as if contacts were independent of each other, each of which counts for two
-/// grains; unknown for fewer than two grains.
+/// Standard error of the mean as if contacts were independent of each other, each of which counts
+/// for two grains; unknown for fewer than two grains.
 double standard_error(const Degrees& degrees) {
   if (degrees.count < 2) return NetworkNumbers::unknown;
   const auto n = static_cast<double>(degrees.count);
@@ -79,7 +77,9 @@ void compare_with_reference(const NetworkFrame& frame, NetworkNumbers& n) {
   std::vector<std::int64_t> ids;
   for (const Grain& grain : frame.grains) ids.push_back(grain.id);
   std::sort(ids.begin(), ids.end());
-  const auto there = [&](std::int64_t id) { return std::binary_search(ids.begin(), ids.end(), id); };
+  const auto there = [&](std::int64_t id) {
+    return std::binary_search(ids.begin(), ids.end(), id);
+  };
 
   n.made = n.broken = n.lost_contacts = 0;
   for (const auto& pair : now)

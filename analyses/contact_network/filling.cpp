@@ -9,8 +9,8 @@
 namespace mdana {
 namespace {
 
-/// Grains in shells of equal width about the centre of their own body, out to its radius: their volume, by
-/// their centres, over that of the shells of both bodies.
+/// Grains in shells of equal width about the centre of their own body, out to its radius: their
+/// volume, by their centres, over that of the shells of both bodies.
 void measure_shells(const NetworkFrame& frame, NetworkNumbers& n) {
   const auto& radius = frame.settings.radius;
   const double whole = std::max(radius[0], radius[1]);
@@ -28,8 +28,8 @@ void measure_shells(const NetworkFrame& frame, NetworkNumbers& n) {
   }
 }
 
-/// Mean local filling factor in layers of two grain radii on both sides of the contact plane, no farther
-/// from the centre line than a quarter of the smaller body's radius.
+/// Mean local filling factor in layers of two grain radii on both sides of the contact plane, no
+/// farther from the centre line than a quarter of the smaller body's radius.
 void measure_layers(const NetworkFrame& frame, std::span<const double> filling, double thickness,
                     NetworkNumbers& n) {
   const double reach = 0.25 * std::min(frame.settings.radius[0], frame.settings.radius[1]);

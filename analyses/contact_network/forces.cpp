@@ -51,8 +51,8 @@ void classify(double force, bool across, const NetworkFrame& frame, NetworkNumbe
 /// As listed, else by the law; NaN without either.
 double force_of(const NetworkFrame& frame, const GrainContact& contact) {
   if (!std::isnan(contact.force) || !frame.settings.law.force) return contact.force;
-  return frame.settings.law.force(
-      contact.overlap, reduced_radius(frame.grains[contact.a], frame.grains[contact.b]));
+  return frame.settings.law.force(contact.overlap,
+                                  reduced_radius(frame.grains[contact.a], frame.grains[contact.b]));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/network.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "reports/cli/command.hpp"
@@ -27,30 +29,34 @@ std::optional<double> ratio_option(const Values& values) {
 
 std::optional<double> filling_option(const Values& values) {
   const auto filling = positive_option(values, "compacted");
-  if (filling && *filling >= 1) throw UsageError(fmt::format("--compacted {:g}: must be below 1", *filling));
+  if (filling && *filling >= 1)
+    throw UsageError(fmt::format("--compacted {:g}: must be below 1", *filling));
   return filling;
 }
 
 void add_options(Options& options) {
   add_run_options(options);
-  options.add_options()                                                                        //
+  options.add_options()  //
       ("grain-radius", number("LENGTH"),
        "of every grain (default: the column radius, else that of the scene)")                  //
       ("grain-modulus", number("E"), "Young's modulus of the grains (default: of the scene)")  //
       ("poisson-ratio", number("NU"), "of the grains (default: of the scene)")                 //
-      ("surface-energy", number("GAMMA"), "of one surface of the grains (default: of the scene)")  //
+      ("surface-energy", number("GAMMA"),
+       "of one surface of the grains (default: of the scene)")  //
       ("rolling-displacement", number("XI_C"),
-       "where rolling becomes inelastic, for the yield stress (default: of the scene)")        //
+       "where rolling becomes inelastic, for the yield stress (default: of the scene)")  //
       ("contacts", po::value<std::string>()->value_name("FILE"),
-       "local dump of the contacts' ids and forces, which then come before the overlap's; contacts that it "
-       "gives no force are by the overlap")                                                    //
-      ("contact-columns", po::value<std::string>()->value_name("ID,ID,FORCE"),
+       "local dump of the contacts' ids and forces, which then come before the overlap's; contacts "
+       "that it "
+       "gives no force are by the overlap")  //
+      ("contact-columns", po::value<std::vector<std::string>>()->value_name("ID,ID,FORCE"),
        "its columns (default: c_ids[1],c_ids[2],c_pair[2], as sample-data/generate has them)")  //
       ("strong", number("SHARE"),
-       "forces above this share of the pull-off force F_c count as strong (default: 0.1)")     //
+       "forces above this share of the pull-off force F_c count as strong (default: 0.1)")  //
       ("compacted", number("PHI"),
-       "local filling factor above which a grain is compacted (default: that which 1 % of the first "
-       "frame's are above)")                                                                   //
+       "local filling factor above which a grain is compacted (default: that which 1 % of the "
+       "first "
+       "frame's are above)")  //
       ("aggregate-modulus", number("E*"),
        "reduced modulus of the two aggregates, for their Poisson's ratio");
   add_output_options(options, true);
@@ -60,25 +66,24 @@ void set_list(const Values& values, NetworkOptions& options) {
   if (values.count("contacts")) options.contacts = values["contacts"].as<std::string>();
   if (!values.count("contact-columns")) return;
   if (options.contacts.empty()) throw UsageError("--contact-columns: without --contacts");
-  const std::string names = values["contact-columns"].as<std::string>();
-  const auto first = names.find(','), second = names.find(',', first + 1);
-  if (first == names.npos || second == names.npos || names.find(',', second + 1) != names.npos)
-    throw UsageError(fmt::format("--contact-columns {}: ID,ID,FORCE is expected", names));
-  options.contact_columns = {names.substr(0, first), names.substr(first + 1, second - first - 1),
-                             names.substr(second + 1)};
+  const std::vector<std::string> names = names_option(values, "contact-columns");
+  if (names.size() != 3)
+    throw UsageError(
+        fmt::format("--contact-columns: {} names; ID,ID,FORCE is expected", names.size()));
+  std::ranges::copy(names, options.contact_columns.begin());
 }
 
 NetworkOptions network_options(const Values& values) {
   NetworkOptions options{{.radius = positive_option(values, "grain-radius"),
-           .density = {},
-           .surface_energy = positive_option(values, "surface-energy"),
-           .modulus = positive_option(values, "grain-modulus"),
-           .poisson_ratio = ratio_option(values),
-           .rolling_displacement = positive_option(values, "rolling-displacement")},
-          positive_option(values, "strong"),
-          filling_option(values),
-          positive_option(values, "aggregate-modulus"),
-          {}};
+                          .density = {},
+                          .surface_energy = positive_option(values, "surface-energy"),
+                          .modulus = positive_option(values, "grain-modulus"),
+                          .poisson_ratio = ratio_option(values),
+                          .rolling_displacement = positive_option(values, "rolling-displacement")},
+                         positive_option(values, "strong"),
+                         filling_option(values),
+                         positive_option(values, "aggregate-modulus"),
+                         {}};
   set_list(values, options);
   return options;
 }
@@ -116,13 +121,17 @@ const Command network_command{
     "network",
     "DUMP",
     "contacts of the grains of two aggregates",
-    "Contacts by the overlap of grains, their normal forces by JKR, coordination, fabric, contacts made\n"
-    "and broken since the first frame, filling factors; and elastic constants and yield stress by the\n"
-    "estimates of Arakawa et al. 2024. The table (-o FILE.csv) has a row a frame; its columns are told in\n"
+    "Contacts by the overlap of grains, their normal forces by JKR, coordination, fabric, contacts "
+    "made\n"
+    "and broken since the first frame, filling factors; and elastic constants and yield stress by "
+    "the\n"
+    "estimates of Arakawa et al. 2024. The table (-o FILE.csv) has a row a frame; its columns are "
+    "told in\n"
     "analyses/contact_network/contact_network.md.",
     "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz\n"
     "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --frames 0:1 --json\n"
-    "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --contacts sample-data/aggregate-tiny/contacts.dump.gz\n"
+    "  mdana network sample-data/aggregate-tiny/dump.lammpstrj.gz --contacts "
+    "sample-data/aggregate-tiny/contacts.dump.gz\n"
     "  mdana network dump.lammpstrj --units si --grain-radius 1e-7 -o network.csv",
     add_options,
     run_command};

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "analyses/contact_network.hpp"
 #include "analyses/local_filling.hpp"
@@ -99,7 +99,8 @@ TEST(GrainContacts, PolydisperseGrainsHoldByTheirReducedRadius) {
   // r = 1 and 3: R* = 3/4, pull-off at -3/16.
   EXPECT_NEAR(reduced_radius(grain(0, 0, 0, 1), grain(0, 0, 0, 3)), 0.75, 1e-16);
   for (const auto& [distance, there] : {std::pair(4.0, 1u), {4.18, 1u}, {4.19, 0u}, {3.5, 1u}})
-    EXPECT_EQ(find_contacts(std::vector{grain(0, 0, 0, 1), grain(0, distance, 0, 3)}, law).size(), there)
+    EXPECT_EQ(find_contacts(std::vector{grain(0, 0, 0, 1), grain(0, distance, 0, 3)}, law).size(),
+              there)
         << distance;
   EXPECT_EQ(find_contacts(std::vector{grain(0, 0, 0, 1), grain(0, 4, 0, 3)}).size(), 1u);
   EXPECT_EQ(find_contacts(std::vector{grain(0, 0, 0, 1), grain(0, 4.01, 0, 3)}).size(), 0u);
@@ -130,7 +131,8 @@ TEST(GrainContacts, FarGrainsCostNothing) {
   EXPECT_EQ(find_contacts(grains).size(), near);
 }
 
-// A million grains at the corners of a cube: 3 n^2 (n - 1) contacts. Pairs one by one would take hours.
+// A million grains at the corners of a cube: 3 n^2 (n - 1) contacts. Pairs one by one would take
+// hours.
 TEST(GrainContacts, MillionGrains) {
   constexpr int n = 100;
   std::vector<Grain> grains;
@@ -177,8 +179,8 @@ TEST(ContactNetwork, ForcesBelowTheNoiseAreNeither) {
   set.force_noise = 0.01;
   set.strong_force = 0.1;
   // R* = 1/4: forces 0.0025, 0.025 and 0.125.
-  const std::vector<Grain> grains{grain(0, 0, 0, 0.5), grain(0.99, 0, 0, 0.5), grain(1.89, 0, 0, 0.5),
-                                  grain(2.39, 0, 0, 0.5, 2)};
+  const std::vector<Grain> grains{grain(0, 0, 0, 0.5), grain(0.99, 0, 0, 0.5),
+                                  grain(1.89, 0, 0, 0.5), grain(2.39, 0, 0, 0.5, 2)};
   EXPECT_EQ(column(grains, set, "contacts"), 3);
   EXPECT_EQ(column(grains, set, "compression"), 2);
   EXPECT_EQ(column(grains, set, "tension"), 0);
@@ -194,7 +196,8 @@ TEST(ContactNetwork, WhatDoesNotDependOnAxesTurnsWithTheFrame) {
   for (Grain& g : turned) g.position = turn * g.position;
   auto set = settings();
   set.law = law;
-  for (const char* name : {"contacts", "contacts12", "undecided", "coordination", "force_mean", "fabric_deviator"})
+  for (const char* name :
+       {"contacts", "contacts12", "undecided", "coordination", "force_mean", "fabric_deviator"})
     EXPECT_NEAR(column(turned, set, name), column(grains, set, name), 1e-13) << name;
   // The fabric's trace is 1, and it turns with the frame.
   Eigen::Matrix3d before, after;
@@ -211,7 +214,8 @@ TEST(ContactNetwork, WhatDoesNotDependOnAxesTurnsWithTheFrame) {
   EXPECT_LE((turn * before * turn.inverse() - after).norm(), 1e-13);
 }
 
-// Simple cubic grains of radius 1/2 that touch: pi/6, within what the sphere of 2.5 edges counts: 81 places.
+// Simple cubic grains of radius 1/2 that touch: pi/6, within what the sphere of 2.5 edges counts:
+// 81 places.
 TEST(LocalFilling, OfASimpleCubicLattice) {
   std::vector<Grain> grains;
   std::size_t centre = 0;
@@ -247,12 +251,14 @@ TEST(ContactNetwork, ShellsAddUpToTheGrains) {
 TEST(ContactNetwork, CompactedVolume) {
   auto set = settings();
   set.compacted = 0.3;
-  // A pair counts 2/125 each; 27 places of a cubic lattice of spacing 1 within reach count 27/125 and less.
+  // A pair counts 2/125 each; 27 places of a cubic lattice of spacing 1 within reach count 27/125
+  // and less.
   std::vector<Grain> grains{grain(0, 0, 0, 0.5), grain(1, 0, 0, 0.5), grain(9, 0, 0, 0.5, 2)};
   EXPECT_EQ(column(grains, set, "compacted_grains"), 0);
   set.compacted = 0.01;
   EXPECT_EQ(column(grains, set, "compacted_grains"), 2);
-  EXPECT_NEAR(column(grains, set, "compacted_volume"), 2 * std::numbers::pi / 6 / (2.0 / 125), 1e-10);
+  EXPECT_NEAR(column(grains, set, "compacted_volume"), 2 * std::numbers::pi / 6 / (2.0 / 125),
+              1e-10);
 }
 
 }  // namespace

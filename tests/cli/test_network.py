@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`mdana network` on the small dump of sample-data: other units, other ways to say what grains are, what is refused."""
 
+import shutil
 import tomllib
 from dataclasses import replace
 
@@ -156,6 +157,48 @@ class Network(Case):
         document = self.document("network", DUMP, "--aggregate-modulus", 60)
         nu, bulk = document["aggregate"]["poisson_ratio"]["value"], document["aggregate"]["bulk_modulus"]["value"]
         self.assertAlmostEqual(3 * bulk * (1 - 2 * nu) / (2 * (1 - nu * nu)), 60, delta=1e-9)
+
+    def test_estimates_over_the_filling_factor(self):
+        """`mdana aggregate` gives what `mdana network` does at the same filling factor and coordination."""
+        document = self.document("network", DUMP)
+        grains_of = SCENE["grains"]
+        constants = [f"-p{name}={grains_of[key]!r}" for name, key in (
+            ("r", "radius"), ("E", "modulus"), ("nu", "poisson_ratio"), ("gamma", "surface_energy"),
+            ("xi_c", "rolling_displacement"))]
+        table = self.table("aggregate", "--filling-factor", "0.4:0.5:2", *constants, "-pE_aggregate=60")
+        bulk, core = document["aggregate"]["bulk_modulus"]["value"], document["coordination_core"]["value"]
+        self.assertAlmostEqual(table["bulk_modulus_cpe"][0] / table["coordination_cpe"][0], bulk / core, delta=1e-12 * bulk)
+        self.assertEqual(table["static_yield_stress"][0], document["aggregate"]["static_yield_stress"]["value"])
+        self.assertEqual(table["coordination_bcca"][0], document["aggregate"]["coordination_bcca"]["value"])
+        nu, bulk = table["poisson_ratio_cpe"][1], table["bulk_modulus_cpe"][1]
+        self.assertAlmostEqual(3 * bulk * (1 - 2 * nu) / (2 * (1 - nu * nu)), 60, delta=1e-9)
+        bare = self.table("aggregate", "--filling-factor", "0.4")
+        self.assertEqual((bare["bulk_modulus_cpe"], bare["static_yield_stress"]), ([None], [None]))
+        for arguments in (["0"], ["0.75"], ["nan"], ["0.1:0.8:3"], ["0.4", "-p", "r=-1"], ["0.4", "-p", "nu=0.6"],
+                          ["0.4", "-p", "r=1", "-p", "r=2"], ["0.4", "-p", "x=1"]):
+            self.refused("aggregate", "--filling-factor", *arguments, code=2)
+
+    def test_info_says_what_aggregates_have_not(self):
+        document = self.told_by_info(DUMP, "no crystal lattice")
+        self.assertIn("contact network", self.mdana("info", DUMP).stdout)
+        self.assertEqual(document["interaction"], "aggregate")
+        bare = dumps.write(self.dir / "dump.lammpstrj.gz", [frame.without("radius") for frame in self.frames])
+        scene = (DUMP.parent / "scene.toml").read_text(encoding="utf-8").replace("radius = 100.0\n", "")
+        (self.dir / "scene.toml").write_text(scene, encoding="utf-8")
+        self.told_by_info(bare, "no column 'radius'")
+
+    def test_report_leaves_aggregates_out(self):
+        runs = self.dir / "runs"
+        for sample in (DUMP.parent, running.SAMPLE.parent):
+            shutil.copytree(sample, runs / sample.name)
+        done = self.mdana("report", runs, "-o", self.dir / "report")
+        self.assertIn("aggregate-tiny: left out", done.stderr)
+        results = running.parse_json((self.dir / "report" / "results.json").read_text(encoding="utf-8"))
+        self.assertEqual([entry["what"] for entry in results["left_out"]], ["aggregate-tiny"])
+        self.assertEqual(len(results["runs"]), 1)
+        self.assertIn("see mdana network", (self.dir / "report" / "index.html").read_text(encoding="utf-8"))
+        done = self.mdana("report", DUMP.parent, "-o", self.dir / "none", code=1)
+        self.assertIn("mdana network", done.stderr)
 
     def test_one_frame_is_enough(self):
         dump = dumps.write(self.dir / "one.dump", self.frames[:1])

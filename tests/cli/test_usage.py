@@ -28,7 +28,7 @@ OPTIONS = {
     "fit-force": RUN + SWEEP + ["--law", "--free", "--parameter", "--part", "--min-delta-fraction", "--loss"],
 }
 
-WITHOUT_INPUT = ("law", "predict", "stability")  # their examples need no dump
+WITHOUT_INPUT = ("law", "predict", "stability", "aggregate")  # their examples need no dump
 
 
 def examples(text):

@@ -30,11 +30,12 @@ TEST(AggregateConstants, ContactOfGrains) {
 // (36), (37): -V dP/dV by a difference, V as the cube of the distance of grains, phi and n_c kept.
 TEST(AggregateConstants, BulkModulusIsThatOfThePressure) {
   const double phi = 0.4, n = 6.5, k = contact_stiffness(contact);
-  const auto pressure = [&](double closer) { return phi * n * k * closer / (4 * pi * radius * radius); };
+  const auto pressure = [&](double closer) {
+    return phi * n * k * closer / (4 * pi * radius * radius);
+  };
   const auto volume = [&](double closer) { return std::pow(2 * radius - closer, 3); };
   const double h = 1e-4;
-  const double difference =
-      -volume(0) * (pressure(h) - pressure(-h)) / (volume(h) - volume(-h));
+  const double difference = -volume(0) * (pressure(h) - pressure(-h)) / (volume(h) - volume(-h));
   EXPECT_NEAR(bulk_modulus(phi, n, k, radius) / difference, 1, 1e-9);
 }
 
@@ -53,14 +54,16 @@ TEST(AggregateConstants, Coordination) {
   EXPECT_DOUBLE_EQ(cpe_coordination(largest_filling / 4), 3);
   EXPECT_DOUBLE_EQ(bcca_coordination(0), 2);
   EXPECT_DOUBLE_EQ(bcca_coordination(1), 11.38);
-  for (const double phi : {0.4, 0.5}) EXPECT_GT(cpe_coordination(phi), bcca_coordination(phi));  // Fig. 11
+  for (const double phi : {0.4, 0.5})
+    EXPECT_GT(cpe_coordination(phi), bcca_coordination(phi));  // Fig. 11
 }
 
 // E_roll = 6 pi^2 gamma r xi_c; where 1/phi - 1/phi_max = 1/2 the stress is eight times E_roll/r^3.
 TEST(AggregateConstants, StaticYieldStress) {
   const double xi = 0.8, phi = 1 / (0.5 + 1 / largest_filling);
   EXPECT_NEAR(static_yield_stress(phi, radius, gamma, xi) /
-                  (8 * 6 * pi * pi * gamma * radius * xi / std::pow(radius, 3)), 1, 1e-14);
+                  (8 * 6 * pi * pi * gamma * radius * xi / std::pow(radius, 3)),
+              1, 1e-14);
   EXPECT_TRUE(std::isinf(static_yield_stress(largest_filling, radius, gamma, xi)));
 }
 

@@ -20,7 +20,6 @@ import grains
 
 FEW = ["aggregate", "--radius", 5, "--seed", 3]
 COLUMNS = "id type x y z fx fy fz radius mass c_touch"
-CLOSEST = np.pi / np.sqrt(18)
 
 
 def run_input(directory, **variables):

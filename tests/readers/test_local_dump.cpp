@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of contacts as `dump local` writes them: any order of columns and items, and what is wrong with a list.
+// Lists of contacts as `dump local` writes them: any order of columns and items, and what is wrong
+// with a list.
 #include <gtest/gtest.h>
 
 #include "readers/local_dump.hpp"
@@ -13,7 +14,8 @@ const LocalDump::Columns columns{"a", "b", "f"};
 
 std::string frame(const std::string& step, const std::string& count, const std::string& rows,
                   const std::string& head = "index a b d f ") {
-  return "ITEM: UNITS\nnano\nITEM: TIME\n1.5\nITEM: TIMESTEP\n" + step + "\nITEM: NUMBER OF ENTRIES\n" + count +
+  return "ITEM: UNITS\nnano\nITEM: TIME\n1.5\nITEM: TIMESTEP\n" + step +
+         "\nITEM: NUMBER OF ENTRIES\n" + count +
          "\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES " + head + "\n" + rows;
 }
 
