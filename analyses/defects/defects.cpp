@@ -128,9 +128,8 @@ class Defects final : public FrameAnalysis {
   void fill(const FrameAtoms& atoms, Sites& sites, std::span<double> row,
             std::vector<FaultPlane>& planes) const {
     label_structures(sites, settings_.by_cgal);
-    const std::size_t repaired = repair(sites);
+    const std::size_t repaired = find_sites(sites, atoms);
     const OtherStructures others = find_other_structures(sites, settings_.bcc, settings_.ico);
-    find_sites(sites, atoms);
     planes = find_planes(sites, atoms);
     auto next = row.begin();
     const auto put = [&](auto value) { *next++ = static_cast<double>(value); };
