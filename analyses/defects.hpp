@@ -55,6 +55,7 @@ struct FrameDefects {
 struct DefectSettings {
   std::optional<double> spacing;  ///< distance of nearest neighbours [length]; else of each frame
   bool bcc = false, ico = false;  ///< label these, too
+  bool surface = false;           ///< triangulate the surface of each body
   bool centro_symmetry = false, coordination = false;
   bool by_cgal = false;           ///< neighbours by CGAL's k-d tree: slower, same labels
   bool ids = true;                ///< the dump has the column id
@@ -69,7 +70,8 @@ struct DefectSettings {
 /// and repaired; fault_area, twin_area [length^2] of all and of body 1, 2; defect_x, defect_y,
 /// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
 /// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
-/// atoms that have it (zeros without a lattice).
+/// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
+/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1 ..., zeros without one.
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
 
 /// Turn of the lattice of a body (1, 2) in a row; nothing without one.

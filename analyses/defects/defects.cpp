@@ -11,6 +11,7 @@
 #include "analyses/defects/labels.hpp"
 #include "analyses/defects/planes.hpp"
 #include "analyses/defects/spacing.hpp"
+#include "analyses/defects/surface.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -102,6 +103,9 @@ class Defects final : public FrameAnalysis {
     for (const char* body : {"1", "2"})
       for (const char* part : {"lattice_w", "lattice_x", "lattice_y", "lattice_z", "lattice_share"})
         all.push_back({std::string(part) + body, dimension::none});
+    for (const char* body : {"1", "2"})
+      if (settings_.surface)
+        for (const ColumnSpec& part : surface_parts()) all.push_back({part.name + body, part.dimension});
     return all;
   }
 
@@ -152,6 +156,20 @@ class Defects final : public FrameAnalysis {
                                  lattice.turn.z(), lattice.share})
         put(value);
     }
+    if (settings_.surface)
+      for (const int body : {1, 2}) {
+        const BodySurface s = find_surface(sites, atoms, static_cast<BodyIndex>(body));
+        for (const double value : {s.area, s.volume, s.radius, static_cast<double>(s.voids), s.void_volume})
+          put(value);
+      }
+  }
+
+  static std::vector<ColumnSpec> surface_parts() {
+    return {{"surface_area", dimension::area},
+            {"surface_volume", dimension::volume},
+            {"surface_radius", dimension::length},
+            {"voids", dimension::none},
+            {"void_volume", dimension::volume}};
   }
 
   /// Of a body, or of all (0).
