@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analyses/frame_atoms.hpp"
 #include "analyses/table.hpp"
 #include "readers/block.hpp"
 #include "readers/bodies.hpp"
@@ -19,6 +20,7 @@ namespace mdana {
 struct Needs {
   ColumnSet columns;
   bool after_motion = false;  ///< needs the bodies' motion in the frame before its atoms
+  bool whole_frame = false;   ///< needs all atoms of the bodies at once: a FrameAnalysis
 };
 
 /// A block of atoms with the body and mass of each.
@@ -53,6 +55,27 @@ class Analysis {
   virtual Needs needs() const = 0;
   virtual std::vector<ColumnSpec> columns() const = 0;
   virtual std::unique_ptr<Partial> begin(const FrameContext& frame) const = 0;
+};
+
+/// What an analysis has found for each atom of a frame, on its way to a file. Made on any thread,
+/// given on one by one in the order of the frames, then forgotten.
+class Product {
+ public:
+  virtual ~Product() = default;
+  virtual void give() = 0;
+};
+
+/// An analysis that needs neighbours: it sees the atoms of a frame together, in an order that the
+/// file's does not change.
+class FrameAnalysis : public Analysis {
+ public:
+  /// Fills the frame's row, in up to `threads` threads that change no bit of it. The atoms are its own
+  /// to keep if it is the last such analysis. Nothing is returned if there is nothing to write.
+  virtual std::unique_ptr<Product> look(const FrameHeader& header,
+                                        std::shared_ptr<const FrameAtoms> atoms,
+                                        std::size_t threads, std::span<double> row) const = 0;
+
+  std::unique_ptr<Partial> begin(const FrameContext&) const final;
 };
 
 /// What a member of the list needs to make itself for a run with its default settings.

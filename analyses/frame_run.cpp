@@ -25,6 +25,10 @@ FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
     needs.push_back(analysis->needs());
     wanted.add(needs.back().columns);
     second_round = second_round || needs.back().after_motion;
+    if (!needs.back().whole_frame) continue;
+    whole_frame = true;
+    ids = ids || needs.back().columns.has("id");
+    types = types || needs.back().columns.has("type");
   }
   wanted.add(bodies.columns());
   wanted.add(masses.columns());
@@ -36,21 +40,26 @@ class FrameRun::Rounds {
   Rounds(const FramePlan& plan, std::size_t threads)
       : plan_(plan), threads_(threads), places_(threads <= 1 ? 1 : 2 * threads) {
     for (std::size_t k = 0; k < plan.analyses.size(); ++k)
-      (plan.needs[k].after_motion ? second_ : first_).push_back(k);
+      (plan.needs[k].whole_frame ? whole_ : plan.needs[k].after_motion ? second_ : first_)
+          .push_back(k);
   }
 
-  std::vector<std::vector<double>> run(const FrameHeader& header, ChunkSupply& chunks,
-                                       Unwrapping* unwrapping) {
+  FrameOutcome run(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping) {
     begin(header, chunks, unwrapping);
     if (unwrapping) unwrapping->begin(header.box, box_centres());
-    std::vector<std::vector<double>> rows(plan_.analyses.size());
-    round(members(first_), {header, {}}, rows);
-    if (!plan_.second_round) return rows;
-    Table motion_row(plan_.analyses.front()->columns());
-    motion_row.add_row(rows.front());
-    const auto motion = body_motion(motion_row, 0);
-    round(members(second_), {header, motion}, rows);
-    return rows;
+    FrameOutcome outcome;
+    outcome.rows.resize(plan_.analyses.size());
+    gather_ = plan_.whole_frame;
+    round(members(first_), {header, {}}, outcome.rows);
+    gather_ = false;
+    if (plan_.second_round) {
+      Table motion_row(plan_.analyses.front()->columns());
+      motion_row.add_row(outcome.rows.front());
+      const auto motion = body_motion(motion_row, 0);
+      round(members(second_), {header, motion}, outcome.rows);
+    }
+    if (plan_.whole_frame) whole_frame(header, outcome);
+    return outcome;
   }
 
   std::uint64_t uncertain_images() const { return uncertain_; }
@@ -84,6 +93,9 @@ class FrameRun::Rounds {
     kept_.clear();
     kept_bytes_ = 0;
     keep_ = rounds_left_ > 1;
+    if (!plan_.whole_frame) return;
+    atoms_ = std::make_shared<FrameAtoms>();
+    atoms_->reserve(header.atoms);
   }
 
   std::vector<Member> members(const std::vector<std::size_t>& of_round) const {
@@ -139,12 +151,27 @@ class FrameRun::Rounds {
       Place& place = places_[slot];
       for (std::size_t i = 0; i < members.size(); ++i) trees[i].push(std::move(place.partials[i]));
       if (plan_.stop && *plan_.stop) throw Interrupted(*plan_.stop);
+      if (gather_) atoms_->add(place.block, place.body, plan_.ids, plan_.types);
       if (kept)
         kept_[collected++] = std::move(place.block);
       else if (rounds_left_ > 1 && keep_)
         keep(place);
     };
     mdana::run(pipeline);
+  }
+
+  /// The gathered atoms to those that need them together.
+  void whole_frame(const FrameHeader& header, FrameOutcome& outcome) {
+    if (atoms_->size() == 0) throw InputError("a frame without atoms of a body");
+    kept_.clear();
+    atoms_->sort_by_id();
+    const std::shared_ptr<const FrameAtoms> atoms = std::move(atoms_);
+    for (const std::size_t k : whole_) {
+      const auto& analysis = dynamic_cast<const FrameAnalysis&>(*plan_.analyses[k]);
+      outcome.rows[k].resize(analysis.columns().size());
+      auto product = analysis.look(header, atoms, threads_, outcome.rows[k]);
+      if (product) outcome.products.push_back(std::move(product));
+    }
   }
 
   void convert(Place& place) const {
@@ -185,6 +212,7 @@ class FrameRun::Rounds {
   std::size_t threads_;
   std::vector<Place> places_;
   std::vector<std::size_t> first_, second_;  ///< analyses of the two rounds
+  std::vector<std::size_t> whole_;           ///< those of whole frames
 
   const FrameHeader* header_ = nullptr;
   ChunkSupply* chunks_ = nullptr;
@@ -195,6 +223,8 @@ class FrameRun::Rounds {
   bool keep_ = false;  ///< the whole frame is in kept_, or may still be
   std::size_t kept_bytes_ = 0;
   std::vector<AtomBlock> kept_;
+  bool gather_ = false;                ///< in this round, for analyses of whole frames
+  std::shared_ptr<FrameAtoms> atoms_;  ///< of the frame, for them
 };
 
 FrameRun::FrameRun(const FramePlan& plan, std::size_t threads)
@@ -202,8 +232,8 @@ FrameRun::FrameRun(const FramePlan& plan, std::size_t threads)
 FrameRun::~FrameRun() = default;
 FrameRun::FrameRun(FrameRun&&) noexcept = default;
 
-std::vector<std::vector<double>> FrameRun::run(const FrameHeader& header, ChunkSupply& chunks,
-                                               Unwrapping* unwrapping) {
+FrameOutcome FrameRun::run(const FrameHeader& header, ChunkSupply& chunks,
+                           Unwrapping* unwrapping) {
   return rounds_->run(header, chunks, unwrapping);
 }
 

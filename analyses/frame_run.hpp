@@ -36,6 +36,8 @@ struct FramePlan {
   std::vector<Needs> needs;           ///< of the analyses
   ColumnSet wanted;                   ///< by all of them
   bool second_round = false;          ///< some analyses need the bodies' motion first
+  bool whole_frame = false;           ///< some analyses need all atoms together
+  bool ids = false, types = false;    ///< and these of them
   std::size_t memory = 0;             ///< bytes for blocks kept between two rounds
   std::optional<std::uint64_t> last_digit_seed;
   const std::atomic<int>* stop = nullptr;
@@ -49,8 +51,15 @@ class ChunkSupply {
   virtual void restart() = 0;
 };
 
+/// What the analyses make of a frame.
+struct FrameOutcome {
+  std::vector<std::vector<double>> rows;           ///< one for each analysis
+  std::vector<std::unique_ptr<Product>> products;  ///< to be written
+};
+
 /// Gives the blocks of a frame to all analyses, in rounds: first the bodies' centres if positions
-/// are to be unwrapped, then the analyses, then those that need the bodies' motion.
+/// are to be unwrapped, then the analyses, then those that need the bodies' motion; last the atoms of
+/// the frame together to those that need them so.
 class FrameRun {
  public:
   /// `plan` must outlive it. The arrays are kept from frame to frame.
@@ -58,10 +67,9 @@ class FrameRun {
   ~FrameRun();
   FrameRun(FrameRun&&) noexcept;
 
-  /// A row for each analysis. Throws InputError if the frame has no atoms, or as the analyses do;
-  /// Interrupted. `unwrapping` is null if positions are right as they are.
-  std::vector<std::vector<double>> run(const FrameHeader& header, ChunkSupply& chunks,
-                                       Unwrapping* unwrapping);
+  /// Throws InputError if the frame has no atoms, or as the analyses do; Interrupted. `unwrapping` is
+  /// null if positions are right as they are.
+  FrameOutcome run(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping);
 
   std::uint64_t uncertain_images() const;  ///< atoms of the last frame; see Unwrapping
 

@@ -115,6 +115,7 @@ class Sweep {
       result_.damage = error.what();
       if (last_count_is_doubtful()) drop_last();
     }
+    give_products();
     if (result_.steps.empty()) throw InputError(path_ + ": no frame in the file, or none chosen");
     result_.unwrapped = unwrapping_.has_value();
     if (!options_.frames) result_.inputs = source_->records();
@@ -124,15 +125,13 @@ class Sweep {
   }
 
  private:
-  using Rows = std::vector<std::vector<double>>;
-
   /// A small frame under way, all of it on one thread.
   struct Small {
     FrameHeader header;
     std::optional<double> share;
     SmallFrame chunks;
     std::optional<FrameRun> run;
-    Rows rows;
+    FrameOutcome outcome;
   };
 
   /// Moves to the next chosen frame; false after the last.
@@ -173,11 +172,11 @@ class Sweep {
     pipeline.produce = [&](std::size_t slot) { return read(small_[slot], ended_by); };
     pipeline.work = [&](std::size_t slot) {
       Small& small = small_[slot];
-      small.rows = located(small.header,
-                           [&] { return small.run->run(small.header, small.chunks, nullptr); });
+      small.outcome = located(small.header,
+                              [&] { return small.run->run(small.header, small.chunks, nullptr); });
     };
     pipeline.collect = [&](std::size_t slot) {
-      add(small_[slot].header, small_[slot].rows, small_[slot].share);
+      add(small_[slot].header, std::move(small_[slot].outcome), small_[slot].share);
     };
     mdana::run(pipeline);
     if (ended_by) std::rethrow_exception(ended_by);
@@ -202,7 +201,7 @@ class Sweep {
 
   /// What an analysis finds wrong with the frame, told with the frame's place.
   template <class Work>
-  Rows located(const FrameHeader& header, Work&& work) const {
+  FrameOutcome located(const FrameHeader& header, Work&& work) const {
     try {
       return work();
     } catch (const TruncatedInput&) {
@@ -214,12 +213,21 @@ class Sweep {
     }
   }
 
-  void add(const FrameHeader& header, const Rows& rows, std::optional<double> share) {
-    for (std::size_t k = 0; k < rows.size(); ++k) result_.tables[k].add_row(rows[k]);
+  void add(const FrameHeader& header, FrameOutcome&& outcome, std::optional<double> share) {
+    give_products();
+    held_ = std::move(outcome.products);
+    for (std::size_t k = 0; k < outcome.rows.size(); ++k)
+      result_.tables[k].add_row(outcome.rows[k]);
     result_.steps.push_back(header.step);
     if (header.time) result_.stated_times.push_back(*header.time);
     atoms_.push_back(header.atoms);
     if (options_.progress) options_.progress({result_.steps.size(), share});
+  }
+
+  /// Of the frame before: it may have been dropped until now.
+  void give_products() {
+    for (const auto& product : held_) product->give();
+    held_.clear();
   }
 
   /// Damage right behind a frame with another number of atoms than the one before it: that number may
@@ -230,6 +238,7 @@ class Sweep {
   }
 
   void drop_last() {
+    held_.clear();
     for (Table& table : result_.tables) table.drop_last_row();
     if (result_.stated_times.size() == result_.steps.size()) result_.stated_times.pop_back();
     result_.steps.pop_back();
@@ -246,6 +255,7 @@ class Sweep {
   std::optional<Unwrapping> unwrapping_;  ///< once a frame needs it
   SweepResult result_;
   std::vector<std::uint64_t> atoms_;  ///< of the frames used, as their headers state them
+  std::vector<std::unique_ptr<Product>> held_;  ///< of the last of them
 
   FrameHeader header_;  ///< of the pending frame, if there is one
   std::optional<double> share_;

@@ -56,7 +56,9 @@ struct SweepResult {
 /// The one loop over frames: reads a trajectory once, only the columns that the analyses need, and
 /// gives every block of atoms to all of them. Analyses that need the bodies' motion see the blocks
 /// of a frame a second time (from memory if they fit, else read again); for them the list must hold
-/// a motion analysis, by convention its first. Threads share the blocks of large frames, and small
+/// a motion analysis, by convention its first. Analyses of whole frames get the atoms of the bodies
+/// together (see analyses/frame_atoms.hpp), and what they have to write is given on in the order of
+/// the frames, one frame late. Threads share the blocks of large frames, and small
 /// frames; the bits of the result do not depend on them.
 /// Wrapped positions without image flags are unwrapped by continuity (see analyses/box_centres.hpp).
 /// Frames from one that is damaged on are left out, and one right before it that has another number of

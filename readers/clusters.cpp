@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "readers/cell_list.hpp"
+#include "readers/disjoint_sets.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -42,26 +43,6 @@ double nearest_neighbour_distance(const Eigen::Matrix3Xd& points) {
   }
   throw InputError("no distance between neighbouring atoms can be found");
 }
-
-/// Sets of points, merged step by step.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Points, and behind them the images, beyond the upper periodic faces, of those near the lower ones.
 struct WithImages {

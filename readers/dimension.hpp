@@ -17,6 +17,8 @@ namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension mass{1, 0, 0};
 inline constexpr Dimension length{0, 1, 0};
+inline constexpr Dimension area{0, 2, 0};
+inline constexpr Dimension volume{0, 3, 0};
 inline constexpr Dimension time{0, 0, 1};
 inline constexpr Dimension velocity{0, 1, -1};
 inline constexpr Dimension force{1, 1, -2};

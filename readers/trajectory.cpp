@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,28 @@ std::optional<std::string_view> recognised_format(const std::filesystem::path& p
   const Format* format = find_format(*open_bytes(first), first);
   if (!format) return std::nullopt;
   return format->name;
+}
+
+const Format* format_to_write(const std::filesystem::path& name) {
+  for (const Format* format : formats()) {
+    if (!format->create) continue;
+    std::istringstream endings{std::string(format->ending)};
+    for (std::string ending; endings >> ending;)
+      if (name.filename().string().ends_with("." + ending)) return format;
+  }
+  return nullptr;
+}
+
+std::uint64_t count_frames(const std::filesystem::path& path) {
+  const auto source = open_trajectory(path, {});
+  FrameHeader header;
+  std::uint64_t frames = 0;
+  try {
+    while (source->next(header)) ++frames;
+  } catch (const InputError&) {
+    if (frames == 0) throw;  // else the sweep will tell
+  }
+  return frames;
 }
 
 FrameHeader first_header(const std::filesystem::path& path) {

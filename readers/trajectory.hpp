@@ -25,6 +25,12 @@ std::string_view format_of(const std::filesystem::path& path);
 /// The same; nothing if no format does. Throws InputError if the file is missing.
 std::optional<std::string_view> recognised_format(const std::filesystem::path& path);
 
+/// The format that files of this name are written in, by its ending; null if there is none.
+const Format* format_to_write(const std::filesystem::path& name);
+
+/// How many frames can be told apart, without reading their atoms; throws like open_trajectory.
+std::uint64_t count_frames(const std::filesystem::path& path);
+
 /// The header of the first frame. Throws InputError if there is none.
 FrameHeader first_header(const std::filesystem::path& path);
 

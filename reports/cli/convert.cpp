@@ -49,14 +49,6 @@ bool has(const std::vector<std::string>& list, std::string_view word) {
   return std::ranges::find(list, word) != list.end();
 }
 
-/// Whether the file's name is that of the format.
-bool ends_like(const fs::path& output, const Format& format) {
-  std::istringstream endings{std::string(format.ending)};
-  for (std::string ending; endings >> ending;)
-    if (output.filename().string().ends_with("." + ending)) return true;
-  return false;
-}
-
 /// All formats that can be written: "lammps_text (.dump ...)".
 std::string writable() {
   std::vector<std::string> known;
@@ -68,9 +60,9 @@ std::string writable() {
 const Format& format_option(const Values& values, const fs::path& output) {
   const bool named = values.count("format");
   for (const Format* format : formats())
-    if (format->create && (named ? format->name == values["format"].as<std::string>()
-                                 : ends_like(output, *format)))
+    if (format->create && named && format->name == values["format"].as<std::string>())
       return *format;
+  if (const Format* format = named ? nullptr : format_to_write(output)) return *format;
   if (named)
     throw UsageError(fmt::format("--format {}: one of these expected: {}",
                                  values["format"].as<std::string>(), writable()));

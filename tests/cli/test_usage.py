@@ -18,6 +18,7 @@ OPTIONS = {
     "compress": RUN + SWEEP + ["--split", "--offset"],
     "energy": RUN + SWEEP + ["--potential", "--log"],
     "network": RUN + SWEEP + ["--grain-radius", "--grain-modulus", "--poisson-ratio", "--surface-energy", "--contacts"],
+    "defects": RUN + SWEEP + ["--dump", "--csp", "--coordination", "--label", "--spacing", "--neighbours"],
     "convert": [o for o in RUN if o != "--radius"] + SWEEP + ["--format", "--columns", "--add", "--sort", "--omit"],
     "predict": ["--law", "--parameter", "-p", "--trajectory", "--sensitivities", "--sticking-velocity", "--peak",
                 "--tolerance", "--time-limit", "--json", "--output", "-o", "--help"],

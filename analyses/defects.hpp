@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "analyses/analysis.hpp"
+
+namespace mdana {
+
+/// Crystal structure about an atom, from its nearest neighbours; numbered as OVITO does.
+enum class Structure : std::uint8_t { other, fcc, hcp, bcc, ico };
+
+/// Where an atom of no crystal structure is; see analyses/defects/defects.md.
+enum class Site : std::uint8_t { crystal, surface, contact, bulk_defect };
+
+/// Faults of the stacking of {111} layers, and what is left of hcp atoms.
+enum class PlanarFault : std::uint8_t { none, intrinsic, extrinsic, twin };
+std::string_view name(PlanarFault kind);
+
+/// A connected piece of a planar fault.
+struct FaultPlane {
+  PlanarFault kind = PlanarFault::none;
+  BodyIndex body = 0;
+  Eigen::Vector3d normal, centre;  ///< unit vector of either sign; [length]
+  double area = 0;                 ///< [length^2]
+  double error = 0;                ///< [length^2]: each atom at the edge is cut anywhere in its cell
+  std::size_t atoms = 0;           ///< hcp atoms
+};
+
+/// What is known of each atom of a frame, in the order of FrameAtoms; what was not asked for is empty.
+struct AtomLabels {
+  std::vector<Structure> structure;
+  std::vector<Site> site;
+  std::vector<float> margin;                ///< 0 to 1: confidence of the structure
+  std::vector<std::uint32_t> cluster;       ///< connected fcc atoms: 1, 2, ... by lowest id; 0 is none
+  std::vector<float> centro_symmetry;       ///< [length^2]
+  std::vector<std::uint8_t> coordination;   ///< atoms within 1.2071 spacings
+};
+
+/// What a frame shows beyond its row.
+struct FrameDefects {
+  std::int64_t step = 0;
+  AtomLabels labels;
+  std::vector<FaultPlane> planes;  ///< greatest first
+};
+
+struct DefectSettings {
+  std::optional<double> spacing;  ///< distance of nearest neighbours [length]; else of each frame
+  bool bcc = false, ico = false;  ///< label these, too
+  bool surface = false;           ///< triangulate the surface of each body
+  bool centro_symmetry = false, coordination = false;
+  bool by_cgal = false;           ///< neighbours by CGAL's k-d tree: slower, same labels
+  bool ids = true;                ///< the dump has the column id
+  bool types = false;             ///< the types of the atoms go into the product
+  bool labels = false;            ///< margins and clusters, too: for a product with the atoms
+  /// Called for each frame in order, one late.
+  std::function<void(const FrameHeader&, const FrameAtoms&, const FrameDefects&)> product = {};
+};
+
+/// Structure of all atoms, planar faults and lattice of the bodies; analyses/defects/defects.md.
+/// Columns: spacing [length]; atoms of fcc, hcp, bcc, ico, other, surface, contact, bulk_defect
+/// and repaired; fault_area, twin_area [length^2] of all and of body 1, 2; defect_x, defect_y,
+/// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
+/// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
+/// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
+/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1 ..., zeros without one.
+std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
+
+/// Turn of the lattice of a body (1, 2) in a row; nothing without one.
+std::optional<Eigen::Quaterniond> lattice_turn(const Table& table, std::size_t row, int body);
+
+/// Least angle [rad] by which one lattice is turned against another: turns of the cube into itself
+/// do not count.
+double misorientation(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
+
+}  // namespace mdana

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/defects/planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Eigenvalues>
+
+#include "readers/disjoint_sets.hpp"
+
+namespace mdana::defects {
+namespace {
+
+constexpr double parallel = 0.9;      ///< least cosine between the normals of one fault
+constexpr double second_layer = 1.2;  ///< [spacings]; it is 2 sqrt(2/3) = 1.63 away
+constexpr std::uint32_t none = ~0u;
+
+/// A hcp atom: its close-packed layer and the three neighbours on either side.
+struct LayerAtom {
+  std::uint32_t place = 0;
+  Eigen::Vector3d normal;
+  double area = 0;  ///< in its layer [spacings^2]
+  std::vector<std::uint32_t> in_plane, side[2];  ///< places
+  std::vector<std::uint32_t> partners;           ///< layer atoms two layers away
+  bool hcp_beside = false;  ///< one of those is hcp with a parallel layer
+  bool sure = false;        ///< all about it have a structure, or one tells the kind
+  PlanarFault kind = PlanarFault::none;
+};
+
+/// The six of the twelve that lie opposite to each other: those of the layer.
+std::array<bool, 12> opposite_six(const std::array<Neighbour, 12>& all) {
+  std::array<bool, 12> chosen{};
+  for (int pair = 0; pair < 3; ++pair) {
+    float least = far_away;
+    std::size_t a = 0, b = 0;
+    for (std::size_t i = 0; i < 12; ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        if (chosen[i] || chosen[k]) continue;
+        const float sum = (all[i].offset + all[k].offset).squaredNorm();
+        if (sum >= least) continue;
+        least = sum;
+        a = i;
+        b = k;
+      }
+    chosen[a] = chosen[b] = true;
+  }
+  return chosen;
+}
+
+LayerAtom layer_atom(std::uint32_t place, const Neighbours& found) {
+  LayerAtom atom;
+  atom.place = place;
+  const auto twelve = nearest_twelve(found);
+  if (!twelve) return atom;
+  const auto in_plane = opposite_six(*twelve);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  double distance = 0;
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Eigen::Vector3d u = (*twelve)[k].offset.cast<double>();
+    distance += u.norm() / 12;
+    if (in_plane[k]) spread += u * u.transpose();
+  }
+  atom.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  atom.area = std::sqrt(3.0) / 2 * distance * distance;
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Neighbour& n = (*twelve)[k];
+    const bool above = n.offset.cast<double>().dot(atom.normal) > 0;
+    (in_plane[k] ? atom.in_plane : atom.side[above]).push_back(n.place);
+  }
+  return atom;
+}
+
+/// All hcp atoms of a frame, and which of them stack to what.
+class Layers {
+ public:
+  explicit Layers(const Sites& sites) : sites_(sites), places_(places_of(sites, Structure::hcp)) {
+    atoms_.resize(places_.size());
+    for_neighbours(sites, places_, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
+      atoms_[k] = layer_atom(places_[k], found);
+    });
+    for (LayerAtom& atom : atoms_)
+      atom.hcp_beside = any_parallel(atom, atom.side[0]) || any_parallel(atom, atom.side[1]);
+    find_kinds();
+    settle_kinds();
+  }
+
+  const std::vector<LayerAtom>& atoms() const { return atoms_; }
+
+  /// Index of the layer atom at a place, if there is one and its layer is parallel.
+  std::uint32_t parallel_at(const LayerAtom& atom, std::uint32_t place) const {
+    const auto at = std::lower_bound(places_.begin(), places_.end(), place);
+    if (at == places_.end() || *at != place) return none;
+    const auto k = static_cast<std::size_t>(at - places_.begin());
+    const bool same = sites_.body[place] == sites_.body[atom.place] &&
+                      std::abs(atoms_[k].normal.dot(atom.normal)) > parallel;
+    return same ? static_cast<std::uint32_t>(k) : none;
+  }
+
+ private:
+  bool any_parallel(const LayerAtom& atom, const std::vector<std::uint32_t>& places) const {
+    return std::any_of(places.begin(), places.end(), [&](std::uint32_t place) {
+      return parallel_at(atom, place) != none;
+    });
+  }
+
+  bool any_other(const LayerAtom& atom) const {
+    const auto other = [&](std::uint32_t place) {
+      return sites_.structure[place] == Structure::other;
+    };
+    return std::any_of(atom.side[0].begin(), atom.side[0].end(), other) ||
+           std::any_of(atom.side[1].begin(), atom.side[1].end(), other);
+  }
+
+  void find_kinds() {
+    for_neighbours(sites_, places_, [&](std::size_t k, const Neighbours& found, NeighbourSearch& search) {
+      LayerAtom& atom = atoms_[k];
+      if (atom.side[0].size() != 3 || atom.side[1].size() != 3) return;
+      if (!atom.hcp_beside) find_partners(atom, found, search);
+      atom.kind = atom.hcp_beside ? PlanarFault::intrinsic
+                  : atom.partners.empty() ? PlanarFault::twin : PlanarFault::extrinsic;
+      atom.sure = atom.kind != PlanarFault::twin || !any_other(atom);
+    });
+  }
+
+  /// Where atoms beside the layer have no structure, as at the surface, the kind is that of most
+  /// neighbours in the layer.
+  void settle_kinds() {
+    std::vector<PlanarFault> settled;
+    for (const LayerAtom& atom : atoms_) settled.push_back(atom.sure ? atom.kind : most(atom));
+    for (std::size_t k = 0; k < atoms_.size(); ++k) atoms_[k].kind = settled[k];
+  }
+
+  PlanarFault most(const LayerAtom& atom) const {
+    std::array<int, 4> votes{};
+    for (const std::uint32_t place : atom.in_plane) {
+      const std::uint32_t k = parallel_at(atom, place);
+      if (k != none && atoms_[k].sure) ++votes[static_cast<std::size_t>(atoms_[k].kind)];
+    }
+    const auto best = std::max_element(votes.begin(), votes.end());
+    return *best > 0 ? static_cast<PlanarFault>(best - votes.begin()) : atom.kind;
+  }
+
+  /// Parallel hcp atoms two layers away, through the neighbours on either side.
+  void find_partners(LayerAtom& atom, const Neighbours& found, NeighbourSearch& search) const {
+    Neighbours theirs;
+    for (const Neighbour& n : found) {
+      const double height = n.offset.cast<double>().dot(atom.normal);
+      const bool beside = std::find(atom.side[height > 0].begin(), atom.side[height > 0].end(),
+                                    n.place) != atom.side[height > 0].end();
+      if (!beside) continue;
+      search.about(n.place, theirs);
+      for (const Neighbour& next : theirs) {
+        const double more = next.offset.cast<double>().dot(atom.normal);
+        if (next.d2 > touching * touching || std::abs(height + more) < second_layer) continue;
+        const std::uint32_t partner = parallel_at(atom, next.place);
+        if (partner != none) atom.partners.push_back(partner);
+      }
+    }
+    std::sort(atom.partners.begin(), atom.partners.end());
+    atom.partners.erase(std::unique(atom.partners.begin(), atom.partners.end()),
+                        atom.partners.end());
+  }
+
+  const Sites& sites_;
+  std::vector<std::uint32_t> places_;
+  std::vector<LayerAtom> atoms_;
+};
+
+/// Joins the layer atoms of one fault.
+DisjointSets joined(const Layers& layers) {
+  const auto& atoms = layers.atoms();
+  DisjointSets sets(atoms.size());
+  for (std::uint32_t k = 0; k < atoms.size(); ++k) {
+    const auto join = [&](std::uint32_t other) {
+      if (other != none && atoms[other].kind == atoms[k].kind) sets.join(k, other);
+    };
+    for (const auto* places : {&atoms[k].in_plane, &atoms[k].side[0], &atoms[k].side[1]})
+      for (const std::uint32_t place : *places) join(layers.parallel_at(atoms[k], place));
+    for (const std::uint32_t partner : atoms[k].partners) join(partner);
+  }
+  return sets;
+}
+
+bool at_edge(Site site) { return site == Site::surface || site == Site::contact; }
+
+/// The layer atoms of one fault together.
+class Piece {
+ public:
+  void add(const LayerAtom& atom, const Sites& sites, const FrameAtoms& atoms) {
+    if (plane_.atoms++ == 0) {
+      plane_.kind = atom.kind;
+      plane_.body = sites.body[atom.place];
+      plane_.normal = plane_.centre = Eigen::Vector3d::Zero();
+      first_ = atom.normal;
+    }
+    const std::uint32_t i = sites.grid.atom[atom.place];
+    plane_.centre += Eigen::Vector3d(atoms.x[i], atoms.y[i], atoms.z[i]);
+    plane_.normal += atom.normal.dot(first_) < 0 ? Eigen::Vector3d(-atom.normal) : atom.normal;
+    area_ += atom.area;
+    for (const std::uint32_t place : atom.in_plane)
+      if (at_edge(sites.site[place])) edge_.push_back(place);
+  }
+
+  /// Two layers of hcp atoms make a stacking fault, one a twin boundary. The atoms at the surface go on
+  /// with the layer.
+  FaultPlane finish(double spacing) {
+    std::sort(edge_.begin(), edge_.end());
+    edge_.erase(std::unique(edge_.begin(), edge_.end()), edge_.end());
+    const auto count = static_cast<double>(plane_.atoms);
+    const auto edge = static_cast<double>(edge_.size());
+    const double layers = plane_.kind == PlanarFault::twin ? 1 : 2;
+    const double cell = area_ / count * spacing * spacing / layers;
+    plane_.area = cell * (count + edge);
+    plane_.error = cell * std::max(1.0, 2 * std::sqrt(edge / 12));
+    plane_.centre /= count;
+    plane_.normal.normalize();
+    return plane_;
+  }
+
+ private:
+  FaultPlane plane_;
+  Eigen::Vector3d first_;
+  double area_ = 0;                  ///< [spacings^2]
+  std::vector<std::uint32_t> edge_;  ///< places
+};
+
+}  // namespace
+
+std::vector<FaultPlane> find_planes(const Sites& sites, const FrameAtoms& atoms) {
+  const Layers layers(sites);
+  DisjointSets sets = joined(layers);
+  std::map<std::uint32_t, Piece> pieces;
+  std::map<std::uint32_t, std::size_t> sizes;
+  for (std::uint32_t k = 0; k < layers.atoms().size(); ++k) {
+    if (layers.atoms()[k].kind == PlanarFault::none) continue;
+    pieces[sets.root(k)].add(layers.atoms()[k], sites, atoms);
+    ++sizes[sets.root(k)];
+  }
+  std::vector<FaultPlane> planes;
+  for (auto& [root, piece] : pieces)
+    if (sizes[root] >= least_plane) planes.push_back(piece.finish(sites.grid.spacing));
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const FaultPlane& a, const FaultPlane& b) { return a.area > b.area; });
+  return planes;
+}
+
+}  // namespace mdana::defects

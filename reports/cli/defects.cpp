@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/defect_numbers.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "readers/trajectory.hpp"
+#include "reports/cli/command.hpp"
+#include "reports/labelled_dump.hpp"
+
+namespace mdana::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::array<std::string_view, 2> neighbour_searches{"cells", "cgal"};
+
+DefectSettings defect_settings(const Values& values) {
+  DefectSettings settings;
+  for (const std::string& name : names_option(values, "label")) {
+    if (name != "bcc" && name != "ico")
+      throw UsageError(fmt::format("--label {}: bcc or ico expected", name));
+    (name == "bcc" ? settings.bcc : settings.ico) = true;
+  }
+  if (values.count("spacing")) settings.spacing = positive(values["spacing"].as<double>(), "spacing");
+  settings.by_cgal = choice(values, "neighbours", neighbour_searches) == 1;
+  settings.surface = !values["no-surface"].as<bool>();
+  settings.labels = values.count("dump") > 0;
+  settings.centro_symmetry = values["csp"].as<bool>();
+  settings.coordination = values["coordination"].as<bool>();
+  if ((settings.centro_symmetry || settings.coordination) && !settings.labels)
+    throw UsageError("--csp and --coordination are columns of --dump FILE, which is missing");
+  return settings;
+}
+
+const Format* dump_format(const Values& values) {
+  if (!values.count("dump")) return nullptr;
+  const std::string& name = values["dump"].as<std::string>();
+  const Format* format = format_to_write(name);
+  if (!format)
+    throw UsageError(fmt::format("--dump {}: the name's ending tells no format that can be written "
+                                 "(.lammpstrj, .dump ...; see mdana convert --help)", name));
+  check_directory(name);
+  return format;
+}
+
+/// What --frames says: "all", "last", or as for every command.
+SweepOptions frames_of(Values values, const RunOptions& options) {
+  const std::string text = values.count("frames") ? values["frames"].as<std::string>() : "all";
+  if (text == "all" || text == "last") values.erase("frames");
+  SweepOptions sweeping = sweep_options(values);
+  if (text == "last" && sweeping.choice.stride > 1)
+    throw UsageError("--frames last and --stride: give one of them");
+  if (text == "last") sweeping.choice.first = count_frames(options.dump) - 1;
+  return sweeping;
+}
+
+/// One pass over the frames.
+DefectHistory history_of(const Run& run, const RunOptions& options, const SweepOptions& sweeping,
+                         DefectSettings settings, LabelledDump* dump, SweepResult& swept) {
+  DefectHistory history;
+  settings.ids = run.first.has_column("id");
+  settings.types = dump && run.first.has_column("type");
+  settings.product = [&](const FrameHeader& header, const FrameAtoms& atoms,
+                         const FrameDefects& found) {
+    history.planes.push_back(found.planes);
+    if (dump) dump->add(header, atoms, found.labels);
+  };
+  const bool two = run.bodies.count() == 2;
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  if (two) analyses.push_back(make_motion({}));
+  analyses.push_back(make_defects(std::move(settings)));
+  swept = sweep(run.dump, run.bodies, run.masses, analyses, sweeping);
+  history.steps = swept.steps;
+  history.times = frame_times(run, swept);
+  history.table = std::move(swept.tables.back());
+  if (!two) return history;
+  const double sum = find_radii(run, options).sum();
+  for (std::size_t row = 0; row < swept.steps.size(); ++row) {
+    const auto bodies = body_motion(swept.tables.front(), row);
+    history.delta.push_back(sum - (bodies[1].position - bodies[0].position).norm());
+  }
+  return history;
+}
+
+void add_options(Options& options) {
+  options.add_options()                                                                          //
+      ("dump", po::value<std::string>()->value_name("FILE"),
+       "write the bodies' atoms with their labels: columns id, type, x y z and c_mdana_body, "
+       "_structure, _site, _margin, _cluster; opens in OVITO and ASE")                           //
+      ("csp", po::bool_switch(), "column c_mdana_csp in --dump: centro-symmetry")                //
+      ("coordination", po::bool_switch(),
+       "column c_mdana_coordination in --dump: atoms within 1.2071 spacings")                    //
+      ("label", po::value<std::vector<std::string>>()->composing()->value_name("LIST"),
+       "label these structures besides fcc and hcp: bcc, ico (they are counted in any case)")    //
+      ("no-surface", po::bool_switch(),
+       "leave out area, volume, radius and voids of the bodies, which take most of the time")    //
+      ("spacing", po::value<double>()->value_name("LENGTH"),
+       "distance of nearest neighbours (default: found in each frame)")                          //
+      ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),
+       "cells, or cgal: by CGAL's k-d tree, much slower, gives the same labels");
+  add_run_options(options);
+  add_output_options(options, true);
+}
+
+int run_command(const Values& values) {
+  check_output(values, true);
+  DefectSettings settings = defect_settings(values);
+  const Format* format = dump_format(values);
+  const RunOptions options = run_options(values);
+  SweepOptions sweeping = frames_of(values, options);
+  const Run run = prepare_run(options);
+  sweeping.selection = run.selection;
+  std::optional<LabelledDump> dump;
+  if (format) dump.emplace(values["dump"].as<std::string>(), *format, run);
+  SweepResult swept;
+  const DefectHistory history =
+      history_of(run, options, sweeping, std::move(settings), dump ? &*dump : nullptr, swept);
+  Document document("defects", run);
+  document.sweep(swept, run.format);
+  add_defects(document, history);
+  if (dump) {
+    dump->commit();
+    document.text("dump_written", values["dump"].as<std::string>());
+  }
+  const Table table = defect_table(history);
+  return emit(values, document, &table);
+}
+
+}  // namespace
+
+extern const Command defects_command;
+const Command defects_command{
+    "defects",
+    "DUMP",
+    "crystal structure of the atoms, stacking faults, twins, surfaces, and where defects begin",
+    "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
+    "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
+    "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
+    "of each body's lattice; its surface and voids. --frames takes all (default), last, or A:B[:K].",
+    "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
+    "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
+    "  mdana defects run/dump.lammpstrj.gz --stride 10 -o defects.csv",
+    add_options,
+    run_command};
+
+}  // namespace mdana::cli
