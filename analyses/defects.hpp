@@ -50,11 +50,12 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> part;                      ///< of each triangle
   std::vector<SurfacePart> parts;                       ///< greatest area first
 
-  double area() const;
-  double volume() const;      ///< within the outer parts, less that of voids
-  std::size_t voids() const;  ///< parts with a negative volume
-  /// Of the ball of the same volume, and half the height of a cube's layer more, a/(2 sqrt 3), since the
-  /// mesh runs through the centres of atoms [length].
+  double area() const;         ///< of the outer parts [length^2]
+  double volume() const;       ///< within them, voids included [length^3]
+  std::size_t voids() const;   ///< parts with a negative volume
+  double void_volume() const;  ///< [length^3]
+  /// Of the ball of that volume, and half a {111} layer more, spacing/sqrt 6, since the mesh runs
+  /// through the centres of atoms [length]; 0 without a volume.
   double radius(double spacing) const;
 };
 
@@ -85,11 +86,11 @@ struct FrameDefects {
 struct DefectSettings {
   std::optional<double> spacing;  ///< distance of nearest neighbours [length]; else of each frame
   bool bcc = false, ico = false;  ///< label these, too
+  bool surface = false;           ///< of each body, and the patch where they cover each other
   bool centro_symmetry = false, coordination = false;
   bool by_cgal = false;           ///< neighbours by CGAL's k-d tree: slower, same labels
   bool ids = true;                ///< the dump has the column id
   bool types = false;             ///< the types of the atoms go into the product
-  bool surfaces = false;          ///< of the bodies, and the patch where they cover each other
   bool labels = false;            ///< margins and clusters, too: for a product with the atoms
   /// Called for each frame in order, one late.
   std::function<void(const FrameHeader&, const FrameAtoms&, const FrameDefects&)> product = {};
@@ -100,8 +101,9 @@ struct DefectSettings {
 /// and repaired; fault_area, twin_area [length^2] of all and of body 1, 2; defect_x, defect_y,
 /// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
 /// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
-/// atoms that have it (zeros without a lattice). If surfaces are asked for: surface_area1, 2,
-/// surface_volume1, 2, surface_radius1, 2, voids1, 2, patch_area and patch_area_error.
+/// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
+/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1 ..., zeros without one, and
+/// patch_area with patch_area_error [length^2].
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
 
 /// Turn of the lattice of a body (1, 2) in a row; nothing without one.

@@ -13,11 +13,13 @@ namespace {
 
 constexpr std::size_t most_atoms = std::size_t{1} << 31;
 
-/// Appends the values of atoms that belong to a body.
+constexpr bool counts(BodyIndex body) { return body == 1 || body == 2; }
+
+/// Appends the values of atoms of the two bodies.
 template <class From, class To>
 void append(const From& values, std::span<const BodyIndex> bodies, To& to) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i] != 0) to.push_back(static_cast<typename To::value_type>(values[i]));
+    if (counts(bodies[i])) to.push_back(static_cast<typename To::value_type>(values[i]));
 }
 
 template <class T>

@@ -37,33 +37,65 @@ struct Way {
   }
 };
 
-/// The points from rest on, the last just inside the contact.
-std::vector<CollisionPoint> from_rest(const Way& way, int points, double direction) {
-  std::vector<CollisionPoint> found{way.point(0, 0, direction)};
-  double t = 0, before = 0;
-  for (int k = 1; k <= points; ++k) {
-    const double s = static_cast<double>(k) / points * (1 - 1e-12);
-    t += way.time(before, s);
-    found.push_back(way.point(t, s, direction));
-    before = s;
+/// The times from rest of some s, 0 to just inside the end of contact.
+class Timetable {
+ public:
+  explicit Timetable(const Way& way) : way_(way), s_{0}, t_{0} {
+    for (int k = 1; k <= intervals; ++k) {
+      s_.push_back(static_cast<double>(k) / intervals * (1 - 1e-12));
+      t_.push_back(t_.back() + way.time(s_[s_.size() - 2], s_.back()));
+    }
   }
-  return found;
-}
+
+  double length() const { return t_.back(); }
+
+  std::vector<CollisionPoint> all(double direction) const {
+    std::vector<CollisionPoint> points;
+    for (std::size_t k = 0; k < s_.size(); ++k) points.push_back(way_.point(t_[k], s_[k], direction));
+    return points;
+  }
+
+  /// At a time between 0 and length(): Newton's method within an interval, dt/ds = 2 range s/|v|.
+  CollisionPoint at(double t, double direction) const {
+    const auto after = std::ranges::lower_bound(t_, t);
+    const auto k = static_cast<std::size_t>(std::clamp<long>(after - t_.begin(), 1, intervals));
+    double s = s_[k - 1] + (s_[k] - s_[k - 1]) * (t - t_[k - 1]) / (t_[k] - t_[k - 1]);
+    for (int i = 0; i < 4; ++i) {
+      const double late = t_[k - 1] + way_.time(s_[k - 1], s) - t;
+      s = std::clamp(s - late * way_.speed_over_s(s) / (2 * way_.range), s_[k - 1], s_[k]);
+    }
+    return way_.point(t, s, direction);
+  }
+
+ private:
+  static constexpr int intervals = 100;
+  const Way way_;
+  std::vector<double> s_, t_;
+};
 
 }  // namespace
 
 std::vector<CollisionPoint> branch_motion(const ForceBranch& in, const ForceBranch& out,
-                                          const ElasticContact& contact, double mass, int points) {
+                                          const ElasticContact& contact, double mass,
+                                          std::span<const double> times) {
   const double turn = contact.delta_max;
-  auto path = from_rest({in, contact, mass, turn}, points, 1);
-  const double t_max = path.back().time;
-  for (CollisionPoint& p : path) p.time = t_max - p.time;
-  std::reverse(path.begin(), path.end());
-  const auto back = from_rest({out, contact, mass, turn - out.least_delta(contact)}, points, -1);
-  for (std::size_t k = 1; k < back.size(); ++k) {
-    path.push_back(back[k]);
-    path.back().time += t_max;
+  const Timetable there({in, contact, mass, turn});
+  const Timetable back({out, contact, mass, turn - out.least_delta(contact)});
+  const double t_max = there.length(), t_end = t_max + back.length();
+  std::vector<CollisionPoint> path;
+  const auto add = [&](CollisionPoint p, double time) {
+    path.push_back(p);
+    path.back().time = time;
+  };
+  if (!times.empty()) {
+    for (const double t : times)
+      if (t <= t_end) add(t < t_max ? there.at(t_max - t, 1) : back.at(t - t_max, -1), t);
+    add(back.at(t_end - t_max, -1), t_end);
+    return path;
   }
+  const auto in_points = there.all(1), out_points = back.all(-1);
+  for (auto p = in_points.rbegin(); p != in_points.rend(); ++p) add(*p, t_max - p->time);
+  for (std::size_t k = 1; k < out_points.size(); ++k) add(out_points[k], t_max + out_points[k].time);
   return path;
 }
 

@@ -48,6 +48,9 @@ struct CollisionSettings {
   double tolerance = 1e-8;  ///< wanted error of e
   double time_limit = 2;    ///< [s]; beyond it the outcome is unresolved
   bool trajectory = false;
+  /// Where the trajectory is wanted, rising from 0 on: it then has one point for each of them until the
+  /// contact or the computation ends, and that end. Empty: as the steps fall.
+  std::vector<double> times = {};
   bool sensitivities = false;
 };
 

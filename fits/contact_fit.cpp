@@ -12,6 +12,8 @@
 #include "fits/contact_intervals.hpp"
 #include "fits/contact_problem.hpp"
 #include "fits/cross_validation.hpp"
+#include "fits/repeats.hpp"
+#include "fits/residual_memory.hpp"
 #include "fits/weak_direction.hpp"
 
 namespace mdana {
@@ -132,7 +134,7 @@ std::vector<double> plain(const Eigen::VectorXd& ln) {
 void describe(ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
   const ContactModel& model = problem.model();
   const Eigen::MatrixXd by = problem.coordinates().derivatives(best.fit.values);
-  const Eigen::MatrixXd covariance = by * best.fit.covariance * by.transpose();
+  const Eigen::MatrixXd covariance = result.residual_memory * by * best.fit.covariance * by.transpose();
   const Eigen::VectorXd error = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const auto values = plain(best.ln);
   std::vector<std::string> names;
@@ -153,11 +155,13 @@ void describe(ContactFit& result, const ContactProblem& problem, const ContactOp
 void score(ContactFit& result, const ContactModel& model, const Eigen::VectorXd& ln) {
   for (std::size_t i = 0; i < model.residuals(); ++i) {
     const double r = model.residual(i, ln);
-    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.predicted(i, ln), r});
+    result.points.push_back({model.seen_of(i), model.quantity_of(i), model.sample_of(i), model.predicted(i, ln), r});
     result.chi2 += r * r;
   }
-  const auto n = static_cast<double>(model.residuals()), k = static_cast<double>(ln.size());
-  const double deviance = result.known_errors ? result.chi2 : n * std::log(result.chi2 / n);
+  result.residual_memory = residual_memory(result.points);
+  const double all = static_cast<double>(model.residuals()), n = all / result.residual_memory;
+  const auto k = static_cast<double>(ln.size());
+  const double deviance = result.known_errors ? result.chi2 / result.residual_memory : n * std::log(result.chi2 / all);
   result.aic = deviance + 2 * k;
   result.bic = deviance + k * std::log(n);
 }
@@ -178,41 +182,91 @@ void judge_as_it_stands(ContactFit& result, ContactProblem& problem, bool cross_
   if (cross_validation) cross_validate(result, problem, nullptr, seen);
 }
 
-/// The one velocity of all collisions, if there is only one: elasticity and dissipation that grow with
-/// the load are told apart by how they depend on it.
+/// The one velocity of all collisions, if there is only one and none was followed: elasticity and
+/// dissipation that grow with the load are told apart by how they depend on it.
 std::optional<double> only_velocity(std::span<const ObservedCollision> seen) {
-  const auto first = seen.front().find("v");
-  for (const ObservedCollision& s : seen)
-    if (s.find("v") != first) return std::nullopt;
-  return first;
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const ObservedCollision& s : seen) {
+    const auto v = s.find("v");
+    if (!v || !s.motion.empty()) return std::nullopt;
+    least = std::min(least, *v);
+    greatest = std::max(greatest, *v);
+  }
+  if (greatest > (1 + same_velocity_of_runs) * least) return std::nullopt;
+  return least;
 }
 
-/// Why the parameters cannot be believed; empty if they can.
-std::string doubt(const ContactFit& result, const ContactProblem& problem, const ContactOptimum& best,
-                  std::span<const ObservedCollision> seen, std::size_t free) {
-  if (const auto v = only_velocity(seen); v && free > 1 && !problem.has_priors())
-    return fmt::format("all collisions have v = {:g}: one velocity does not determine {} parameters{}{}", *v, free,
-                       result.weak_direction.empty() ? "" : "; ", result.weak_direction);
+/// A parameter of which an infinite value makes a simpler law, and what that is called.
+struct Limit {
+  std::string_view law, parameter, name;
+};
+constexpr Limit elastic{"andrews", "Y", "the elastic limit (Y infinite)"};
+constexpr Limit rigid_plastic{"andrews", "E", "the rigid plastic limit (E infinite)"};
+
+/// Whether a cost that is greater by one parameter less is so by less than two standard deviations.
+bool as_good(double limit, double best, bool known_errors, std::size_t residuals, std::size_t parameters) {
+  const auto n = static_cast<double>(residuals), freedom = n - static_cast<double>(parameters);
+  if (known_errors) return limit - best < 4 * std::max(1.0, freedom > 0 ? best / freedom : 1);
+  return limit <= best || n * std::log(limit / best) < 4;
+}
+
+/// That a limit describes the data as well, in words; empty if it does not.
+std::string as_good_as(ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law, const Limit& limit) {
+  constexpr double infinite = 1e6;  ///< times the greatest parameter, both being pressures
+  const ContactModel& model = problem.model();
+  if (limit.law != law.name || model.targets().size() != 2 || problem.has_priors()) return {};
+  const auto k = std::ranges::find(model.targets(), limit.parameter, &ContactModel::Target::parameter);
+  if (k == model.targets().end()) return {};
+  Eigen::VectorXd ln = best.ln;
+  const auto fixed = static_cast<std::size_t>(k - model.targets().begin());
+  ln[static_cast<Eigen::Index>(fixed)] = best.ln.maxCoeff() + std::log(infinite);
+  const double cost = problem.solve_fixed(ln, fixed, exact).cost;
+  if (!as_good(cost, best.cost, model.known_errors(), model.residuals(), model.targets().size())) return {};
+  return fmt::format("{} describes the collisions as well (cost {:.4g} against {:.4g}): {} is only bounded", limit.name,
+                     cost, best.cost, limit.parameter);
+}
+
+/// The parameter whose best value is on or beyond a bound; empty if none is.
+std::string on_bound(const ContactFit& result, const ContactProblem& problem, const ContactOptimum& best) {
   const FitCoordinates& coordinates = problem.coordinates();
   const Eigen::VectorXd beyond = coordinates.beyond(best.fit.values);
   for (Eigen::Index k = 0; k < beyond.size(); ++k)
-    if (beyond[k] != 0)
-      return fmt::format("the best {} lies on its bound",
-                         result.parameters[static_cast<std::size_t>(k) % coordinates.size()].full_name());
-  const auto& s = result.singular_values;
-  const bool singular = s.size() < coordinates.size() || !(s.back() > 1e-6 * s.front());
-  if (singular && !problem.has_priors())
-    return "the data do not determine all parameters: " + result.weak_direction;
-  if (!best.fit.usable) return best.fit.reason;
-  for (const Estimate& p : result.parameters)
-    if (!(p.error < least_known * p.value))
-      return fmt::format("{} is not determined (its standard error is greater than itself){}{}",
-                         p.full_name(), result.weak_direction.empty() ? "" : ": ", result.weak_direction);
+    if (beyond[k] != 0) return result.parameters[static_cast<std::size_t>(k) % coordinates.size()].full_name();
   return {};
 }
 
-void fit_all(ContactFit& result, ContactProblem& problem, std::span<const ObservedCollision> seen,
-             const ContactFitSettings& settings) {
+/// The parameter whose standard error is greater than itself; empty if none is.
+std::string not_determined(const ContactFit& result) {
+  for (const Estimate& p : result.parameters)
+    if (!(p.error < least_known * p.value)) return p.full_name();
+  return {};
+}
+
+/// Why the parameters cannot be believed; empty if they can.
+std::string doubt(ContactFit& result, ContactProblem& problem, const ContactOptimum& best, const CollisionLaw& law,
+                  std::span<const ObservedCollision> seen, std::size_t free) {
+  const std::string weak = result.weak_direction.empty() ? "" : "; " + result.weak_direction;
+  if (const auto v = only_velocity(seen); v && free > 1 && !problem.has_priors())
+    return fmt::format("all collisions have v = {:g}: one velocity does not determine {} parameters{}", *v, free, weak);
+  const auto& s = result.singular_values;
+  const bool singular = s.size() < result.parameters.size() || !(s.back() > 1e-6 * s.front());
+  const std::string bound = on_bound(result, problem, best);
+  if (singular && bound.empty() && !problem.has_priors())
+    return "the data do not determine all parameters: " + result.weak_direction;
+  if (const std::string limit = singular ? "" : as_good_as(problem, best, law, elastic); !limit.empty())
+    return limit + weak;
+  const std::string limit = as_good_as(problem, best, law, rigid_plastic);
+  const std::string but = limit.empty() ? "" : limit + "; ";
+  if (!bound.empty()) return fmt::format("{}the best {} lies on its bound", but, bound);
+  if (!best.fit.usable) return but + best.fit.reason;
+  if (const std::string name = not_determined(result); !name.empty())
+    return fmt::format("{}{} is not determined (its standard error is greater than itself){}", but, name, weak);
+  if (!limit.empty()) result.notes.push_back(limit);
+  return {};
+}
+
+void fit_all(ContactFit& result, ContactProblem& problem, const CollisionLaw& law,
+             std::span<const ObservedCollision> seen, const ContactFitSettings& settings) {
   if (settings.free.empty()) return judge_as_it_stands(result, problem, settings.cross_validation, seen);
   if (problem.model().only_sticking()) {
     result.reason = "every collision sticks: that bounds the parameters, but determines none";
@@ -226,10 +280,10 @@ void fit_all(ContactFit& result, ContactProblem& problem, std::span<const Observ
   problem.set(exact);
   const ContactOptimum& best = optima.front();
   for (const ContactOptimum& o : optima) result.minima.push_back({plain(o.ln), o.cost, o.starts});
-  describe(result, problem, best);
   score(result, problem.model(), best.ln);
+  describe(result, problem, best);
   result.digits = best.fit.digits;
-  result.reason = doubt(result, problem, best, seen, settings.free.size());
+  result.reason = doubt(result, problem, best, law, seen, settings.free.size());
   if (result.reason.empty()) add_intervals(result, problem, best, settings.intervals);
   if (settings.cross_validation) cross_validate(result, problem, &best, seen);
 }
@@ -246,7 +300,7 @@ ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollisio
   ContactProblem problem(law, seen, settings);
   ContactFit result;
   result.known_errors = problem.model().known_errors();
-  fit_all(result, problem, seen, settings);
+  fit_all(result, problem, law, seen, settings);
   result.usable = result.reason.empty();
   result.collisions = problem.model().collisions();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

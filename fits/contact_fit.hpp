@@ -63,12 +63,14 @@ struct Estimate {
   std::string full_name() const;  ///< "C" or "C(R=58.9)"
 };
 
-enum class SeenQuantity { e_squared, delta_max, t_max };
+/// The last three are of the samples of a motion.
+enum class SeenQuantity { e_squared, delta_max, t_max, delta, velocity, force };
 
 /// What the fitted law says of one number that was seen.
 struct FittedPoint {
   std::size_t seen = 0;        ///< index of the observation
   SeenQuantity quantity = SeenQuantity::e_squared;
+  std::size_t sample = 0;      ///< of its motion
   double predicted = 0;
   double residual = 0;
 };
@@ -82,8 +84,9 @@ struct ContactMinimum {
 
 /// A law's parameters from collisions that were seen. Residuals are (e^2 - e_seen^2)/(2 max(e, s) s),
 /// s the standard error of e (of sticking collisions without one: the median), continued below e = 0
-/// where the law predicts sticking and 0 there if sticking was seen; (delta_max - seen)/s and (t_max - seen)/s. Without standard errors those of e^2
-/// count as 1, the others as the numbers themselves.
+/// where the law predicts sticking and 0 there if sticking was seen; (x - seen)/s for the others. Without
+/// standard errors those of e^2 count as 1, of delta_max and t_max as the numbers themselves, of delta, v
+/// and F as their greatest sizes in the collision.
 struct ContactFit {
   std::vector<Estimate> parameters;
   Eigen::MatrixXd correlation;          ///< of their logarithms
@@ -93,6 +96,7 @@ struct ContactFit {
   std::vector<FittedPoint> points;      ///< one a residual, in the order of the data
   bool known_errors = false;            ///< every observation has a standard error
   double chi2 = 0;                      ///< sum of squares of the residuals
+  double residual_memory = 1;           ///< see fits/residual_memory.hpp
   double aic = 0, bic = 0;              ///< Akaike's and Schwarz's; of the residuals' variance if errors are unknown
   /// Root mean square residual of a velocity or radius that is left out; NaN if it is not known.
   double left_out_velocity = std::numeric_limits<double>::quiet_NaN();
@@ -106,6 +110,8 @@ struct ContactFit {
   std::string reason;                   ///< why it is not usable, or empty
 };
 
+/// Not usable is also a fit of E* and Y of Andrews' law if the elastic limit describes the collisions as well
+/// (within two standard deviations); if the rigid plastic limit does, a note says so.
 /// Throws InputError if an observation lacks a parameter. Nothing free: what the law says as it stands.
 ContactFit fit_contact(const CollisionLaw& law, std::span<const ObservedCollision> seen,
                        const ContactFitSettings& settings);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include <Eigen/QR>
@@ -11,6 +12,7 @@
 namespace mdana {
 namespace {
 
+constexpr std::size_t least_parts = 5;  ///< to draw from
 constexpr double open = std::numeric_limits<double>::quiet_NaN();
 
 /// How the least cost rises when one parameter is held.
@@ -83,7 +85,7 @@ double threshold_of(const ContactFit& fit, const ContactOptimum& best, double le
                                            static_cast<double>(best.ln.size()));
   const double variance = best.cost / freedom;
   const double quantile = normal_quantile(level);
-  return quantile * quantile * (fit.known_errors ? std::max(1.0, variance) : variance);
+  return fit.residual_memory * quantile * quantile * (fit.known_errors ? std::max(1.0, variance) : variance);
 }
 
 void add_profiles(ContactFit& fit, ContactProblem& problem, const ContactOptimum& best, double level) {
@@ -101,16 +103,23 @@ void add_profiles(ContactFit& fit, ContactProblem& problem, const ContactOptimum
   }
 }
 
-/// The residuals of observations that are drawn from those seen, as many as they are.
-std::vector<std::size_t> draw(const ContactFit& fit, std::mt19937_64& random) {
-  std::vector<std::vector<std::size_t>> of;
-  for (std::size_t i = 0; i < fit.points.size(); ++i) {
-    if (of.size() <= fit.points[i].seen) of.resize(fit.points[i].seen + 1);
-    of[fit.points[i].seen].push_back(i);
-  }
+/// What is drawn as one: the residuals of an observation, or those of so many samples of a motion that
+/// the next ones do not remember them.
+std::vector<std::vector<std::size_t>> parts_of(const ContactFit& fit) {
+  const auto samples = static_cast<std::size_t>(std::ceil(2 * fit.residual_memory));
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> parts;
+  for (std::size_t i = 0; i < fit.points.size(); ++i)
+    parts[{fit.points[i].seen, fit.points[i].sample / samples}].push_back(i);
+  std::vector<std::vector<std::size_t>> all;
+  for (auto& [key, part] : parts) all.push_back(std::move(part));
+  return all;
+}
+
+/// As many parts as there are, each any of them.
+std::vector<std::size_t> draw(const std::vector<std::vector<std::size_t>>& parts, std::mt19937_64& random) {
   std::vector<std::size_t> drawn;
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const auto& points = of[random() % of.size()];  // the bias of % is below 1e-15
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto& points = parts[random() % parts.size()];  // the bias of % is below 1e-15
     drawn.insert(drawn.end(), points.begin(), points.end());
   }
   return drawn;
@@ -162,9 +171,14 @@ void add_bootstrap(ContactFit& fit, ContactProblem& problem, const ContactOptimu
                    const IntervalSettings& settings) {
   std::mt19937_64 random(settings.seed);
   const LinearDraw linear(fit, problem, best);
+  const auto parts = parts_of(fit);
+  if (parts.size() < least_parts) {
+    fit.notes.push_back(fmt::format("bootstrap: left out, the residuals fall into {} independent parts only", parts.size()));
+    return;
+  }
   std::vector<std::vector<double>> found(fit.parameters.size());
   for (std::size_t i = 0; i < settings.draws; ++i) {
-    std::vector<std::size_t> drawn = draw(fit, random);
+    std::vector<std::size_t> drawn = draw(parts, random);
     std::vector<double> start = linear.start(drawn);
     const ContactOptimum o = problem.solve(std::move(start), rough, {{}, std::move(drawn)});
     if (!std::isfinite(o.cost) || !o.ln.allFinite()) continue;

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fits/predicted_motion.hpp"
+#include "fits/usual_parameters.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -42,31 +44,6 @@ Eigen::Index column(const CollisionLaw& law, std::string_view name) {
   return static_cast<Eigen::Index>(4 + *parameter_index(law, name));
 }
 
-/// From the scales of an elastic collision: where a parameter may be looked for. Wide, since it is
-/// only where starts are drawn from.
-std::pair<double, double> usual_range(std::string_view name, const CollisionScales& s) {
-  const double energy = s.mass * s.velocity * s.velocity / 2;
-  if (name == "T_vis" || name == "T_crack" || name == "T") return {1e-4 * s.time, s.time};
-  if (name == "C") return {1e-5 * s.time / s.radius, s.time / s.radius};
-  if (name == "B") return {0.1 / s.pressure, 4 / s.pressure};
-  if (name == "zeta" || name == "alpha" || name == "beta") return {0.5, 6};
-  if (name == "D") return {1e-3 * s.force, 10 * s.force};
-  if (name == "E") return {0.03 * s.modulus, 30 * s.modulus};
-  if (name == "R") return {0.5 * s.radius, 8 * s.radius};
-  if (name == "Y") return {1e-3 * s.modulus, s.modulus};
-  if (name == "v_Y") return {0.01 * s.velocity, 10 * s.velocity};
-  if (name == "nu") return {0.05, 0.5};
-  if (name == "spacing") return {0.1 * s.contact_radius, s.contact_radius};
-  if (name == "gamma") {  // JKR: the loss 0.7722 F_c delta0 is the energy at about the upper end
-    const double r = s.radius;
-    const double loss_of_one = 0.7722 * std::pow(9 * std::numbers::pi, 2.0 / 3.0) * std::numbers::pi *
-                               std::pow(r, 4.0 / 3.0) * std::pow(s.modulus, -2.0 / 3.0);
-    const double most = std::pow(energy / loss_of_one, 0.6);
-    return {1e-4 * most, 10 * most};
-  }
-  return {1e-3, 1e3};
-}
-
 double mean_logarithm(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += std::log(v);
@@ -74,20 +51,6 @@ double mean_logarithm(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-std::vector<FreeParameter> usual_free_parameters(const CollisionLaw& law) {
-  std::vector<std::string> names;
-  if (law.name == "stress") names = {"C", "B", "zeta"};
-  else if (law.name == "power") names = {"D", "alpha", "beta"};
-  else if (law.name == "jkr") names = {"gamma"};
-  else if (law.name == "andrews") names = {"E", "Y"};
-  else if (law.name == "krijt-plastic") names = {"T_vis", "v_Y"};
-  else if (parameter_index(law, "T_vis")) names = {"T_vis"};
-  else if (parameter_index(law, "v_Y")) names = {"v_Y"};
-  std::vector<FreeParameter> free;
-  for (std::string& name : names) free.push_back({std::move(name), {}, {}, {}, {}, false});
-  return free;
-}
 
 std::string ContactModel::Target::name() const {
   return radius ? fmt::format("{}(R={:g})", parameter, *radius) : parameter;
@@ -140,37 +103,62 @@ double ContactModel::usual_error() const {
   return *middle;
 }
 
+void ContactModel::add_term(std::size_t seen, Quantity quantity, const Measured& m, double unknown_error,
+                            std::size_t sample) {
+  if (!m.known()) return;
+  known_errors_ = known_errors_ && m.error > 0;
+  terms_.push_back({seen, quantity, sample, m.value, m.error, unknown_error,
+                    seen_[seen].stuck && quantity == Quantity::e_squared});
+}
+
+/// Of a sticking collision, whatever its e.
+void ContactModel::add_e_squared(std::size_t seen, double usual_error) {
+  Measured e = seen_[seen].e;
+  if (seen_[seen].stuck) e = {0, e.error > 0 ? e.error : usual_error};
+  add_term(seen, Quantity::e_squared, {e.value * e.value, 2 * std::max(e.value, e.error) * e.error}, 1);
+}
+
+void ContactModel::add_motion(std::size_t seen) {
+  const std::vector<MotionSample>& motion = seen_[seen].motion;
+  for (const MotionSample& m : motion) times_[seen].push_back(m.time);
+  for (const auto& [quantity, of] : {std::pair{Quantity::delta, &MotionSample::delta},
+                                     {Quantity::velocity, &MotionSample::velocity},
+                                     {Quantity::force, &MotionSample::force}}) {
+    double greatest = 0;
+    for (const MotionSample& m : motion)
+      if ((m.*of).known()) greatest = std::max(greatest, std::abs((m.*of).value));
+    for (std::size_t i = 0; i < motion.size(); ++i) add_term(seen, quantity, motion[i].*of, greatest, i);
+  }
+}
+
 void ContactModel::add_terms() {
-  const auto add = [&](std::size_t i, Quantity quantity, const Measured& m, bool stuck) {
-    if (!m.known() && !stuck) return;
-    const bool error = m.error > 0;
-    known_errors_ = known_errors_ && error;
-    terms_.push_back({i, quantity, stuck ? 0 : m.value, error ? m.error : 0, stuck});
-  };
+  const double usual = usual_error();
+  times_.resize(seen_.size());
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    Measured e = seen_[i].e;
-    if (seen_[i].stuck && !(e.error > 0)) e.error = usual_error();
-    add(i, Quantity::e_squared, e, seen_[i].stuck);
-    add(i, Quantity::delta_max, seen_[i].delta_max, false);
-    add(i, Quantity::t_max, seen_[i].t_max, false);
+    add_e_squared(i, usual);
+    add_term(i, Quantity::delta_max, seen_[i].delta_max, seen_[i].delta_max.value);
+    add_term(i, Quantity::t_max, seen_[i].t_max, seen_[i].t_max.value);
+    add_motion(i);
   }
-  for (Term& t : terms_) {  // the scale of each residual
-    const double error = known_errors_ ? t.error : 0;
-    if (t.quantity != Quantity::e_squared)
-      t.error = known_errors_ ? error : t.value;
-    else
-      t.error = known_errors_ ? 2 * std::max(t.value, error) * error : 1;
-    if (t.quantity == Quantity::e_squared) t.value *= t.value;
-  }
+  if (!known_errors_)
+    for (Term& t : terms_) t.error = t.unknown_error;
+}
+
+/// What is known of the elastic collision; a modulus that is to be found, from the greatest compression.
+Impact ContactModel::scales_of(std::size_t seen) const {
+  Impact impact = inputs_[seen].impact;
+  double greatest = seen_[seen].delta_max.known() ? seen_[seen].delta_max.value : 0;
+  for (const MotionSample& m : seen_[seen].motion) greatest = std::max(greatest, m.delta.value);
+  if (std::ranges::find(free_, "E", &FreeParameter::name) != free_.end() && greatest > 0)
+    impact.modulus = 15.0 / 16.0 * impact.mass * impact.velocity * impact.velocity /
+                     (std::pow(greatest, 2.5) * std::sqrt(impact.radius));
+  return impact;
 }
 
 void ContactModel::add_scales() {
   std::vector<double> radius, velocity, modulus, mass;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    Impact impact = inputs_[i].impact;
-    if (std::ranges::find(free_, "E", &FreeParameter::name) != free_.end() && seen_[i].delta_max.known())
-      impact.modulus = 15.0 / 16.0 * impact.mass * impact.velocity * impact.velocity /
-                       (std::pow(seen_[i].delta_max.value, 2.5) * std::sqrt(impact.radius));
+    const Impact impact = scales_of(i);
     radius.push_back(impact.radius);
     velocity.push_back(impact.velocity);
     modulus.push_back(impact.modulus);
@@ -183,11 +171,18 @@ void ContactModel::add_scales() {
              elastic.contact_radius, elastic.force, elastic.pressure};
 }
 
+/// v^alpha a^beta at the scales of the data.
+double ContactModel::power_unit() const {
+  CollisionInput in = inputs_.front();
+  return std::pow(scales_.velocity, *find(law_, in, "alpha")) * std::pow(scales_.contact_radius, *find(law_, in, "beta"));
+}
+
 std::vector<Unknown> ContactModel::unknowns() const {
   std::vector<Unknown> unknowns;
   for (const Target& target : targets_) {
     const FreeParameter& f = free_[target.free];
-    const auto [least, greatest] = usual_range(target.parameter, scales_);
+    auto [least, greatest] = usual_range(target.parameter, scales_);
+    if (f.name == "D") least /= power_unit(), greatest /= power_unit();
     Unknown u{target.name(), f.least.value_or(std::min(least, f.start ? *f.start / 10 : least)),
               f.greatest.value_or(std::max(greatest, f.start ? *f.start * 10 : greatest)),
               f.start.value_or(0), f.least || f.greatest};
@@ -224,10 +219,29 @@ CollisionInput ContactModel::input(std::size_t seen, const Eigen::VectorXd& ln) 
   return in;
 }
 
-/// The same for a law without sensitivities: central differences, right to about 1e-6.
+Eigen::Index ContactModel::index_of(const Term& t) {
+  const auto q = static_cast<Eigen::Index>(t.quantity);
+  return q < 3 ? q : q + 3 * static_cast<Eigen::Index>(t.sample);
+}
+
+/// The values of a Prediction.
+Eigen::VectorXd ContactModel::numbers(std::size_t seen, const Collision& c, const CollisionInput& in) const {
+  const std::vector<double>& times = times_[seen];
+  Eigen::VectorXd values(3 + 3 * static_cast<Eigen::Index>(times.size()));
+  values.head<3>() << c.e_squared, c.delta_max, c.t_max;
+  Eigen::Index row = 3;
+  for (const CollisionPoint& p : predicted_motion(c, in.impact.velocity, times)) {
+    values.segment<3>(row) << p.delta, p.velocity, p.force;
+    row += 3;
+  }
+  return values;
+}
+
+/// The same for a law without sensitivities, and for motions, which have none: central differences, right
+/// to about 1e-6.
 void ContactModel::difference(std::size_t seen, Prediction& p) const {
   constexpr double step = 1e-3;
-  CollisionSettings settings = collision_settings_;
+  CollisionSettings settings = settings_for(seen);
   settings.tolerance = std::min(settings.tolerance, 1e-10);
   for (std::size_t f = 0; f < free_.size(); ++f) {
     const auto target = target_of(seen, f);
@@ -236,19 +250,17 @@ void ContactModel::difference(std::size_t seen, Prediction& p) const {
     for (const double side : {step, -step}) {
       Eigen::VectorXd ln = p.ln;
       ln[k] += side;
-      const Collision c = collide(law_, input(seen, ln), settings);
+      const CollisionInput in = input(seen, ln);
+      p.by_ln.col(k) += numbers(seen, collide(law_, in, settings), in) / (2 * side);
       ++collisions_;
-      p.by_ln[0][k] += c.e_squared / (2 * side);
-      p.by_ln[1][k] += c.delta_max / (2 * side);
-      p.by_ln[2][k] += c.t_max / (2 * side);
     }
   }
 }
 
-/// d/d ln p of the three quantities.
+/// d/d ln p of what is predicted.
 void ContactModel::differentiate(const Collision& c, const CollisionInput& in, std::size_t seen,
                                  Prediction& p) const {
-  for (Eigen::VectorXd& by : p.by_ln) by = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(targets_.size()));
+  p.by_ln = Eigen::MatrixXd::Zero(p.values.size(), static_cast<Eigen::Index>(targets_.size()));
   if (!c.sensitivities) return difference(seen, p);
   const Eigen::VectorXd* by_value[3] = {&c.sensitivities->e_squared, &c.sensitivities->delta_max,
                                         &c.sensitivities->t_max};
@@ -257,10 +269,18 @@ void ContactModel::differentiate(const Collision& c, const CollisionInput& in, s
     const auto target = target_of(seen, f);
     if (!target) continue;
     const double value = *find(law_, copy, free_[f].name);
-    for (std::size_t q = 0; q < 3; ++q)
+    for (Eigen::Index q = 0; q < 3; ++q)
       if (by_value[q]->size() > 0)
-        p.by_ln[q][static_cast<Eigen::Index>(*target)] = value * (*by_value[q])[column(law_, free_[f].name)];
+        p.by_ln(q, static_cast<Eigen::Index>(*target)) = value * (*by_value[q])[column(law_, free_[f].name)];
   }
+}
+
+CollisionSettings ContactModel::settings_for(std::size_t seen) const {
+  CollisionSettings settings = collision_settings_;
+  settings.trajectory = !times_[seen].empty();
+  for (const double t : times_[seen])
+    if (t >= 0) settings.times.push_back(t);
+  return settings;
 }
 
 const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Eigen::VectorXd& ln,
@@ -270,8 +290,8 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
   if (ln.size() > 0 && p.ln.size() == ln.size() && p.ln == ln && (p.with_derivatives || !needed)) return p;
   p.ln = ln;
   const CollisionInput in = input(seen, ln);
-  CollisionSettings settings = collision_settings_;
-  settings.sensitivities = wanted != Derivatives::none;
+  CollisionSettings settings = settings_for(seen);
+  settings.sensitivities = wanted != Derivatives::none && !settings.trajectory;
   Collision c;
   try {
     c = collide(law_, in, settings);
@@ -279,9 +299,7 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
     c.reason = error.what();
   }
   ++collisions_;
-  p.values[0] = c.e_squared;
-  p.values[1] = c.delta_max;
-  p.values[2] = c.t_max;
+  p.values = numbers(seen, c, in);
   p.resolved = c.outcome != CollisionOutcome::unresolved;
   if (!p.resolved) failure_ = c.reason;
   p.with_derivatives = needed || c.sensitivities.has_value();
@@ -291,27 +309,27 @@ const ContactModel::Prediction& ContactModel::predict(std::size_t seen, const Ei
 
 double ContactModel::predicted(std::size_t k, const Eigen::VectorXd& ln) const {
   const Prediction& p = predict(terms_[k].seen, ln, Derivatives::none);
-  return p.resolved ? p.values[static_cast<std::size_t>(terms_[k].quantity)] : Collision::unknown;
+  return p.resolved ? p.values[index_of(terms_[k])] : Collision::unknown;
 }
 
 /// What one unit of a residual is in its quantity.
 double ContactModel::scale_of(const Term& t) const {
-  return std::max(t.error, least_error_ * (t.quantity == Quantity::e_squared ? 1 : t.value));
+  return std::max(t.error, least_error_ * t.unknown_error);
 }
 
 bool ContactModel::residual(std::size_t k, const Eigen::VectorXd& ln, double& r,
                             Eigen::VectorXd* by_ln) const {
   const Term& t = terms_[k];
   const Prediction& p = predict(t.seen, ln, by_ln ? Derivatives::all : Derivatives::if_cheap);
-  const auto q = static_cast<std::size_t>(t.quantity);
+  const Eigen::Index q = index_of(t);
   const double value = p.values[q];
   if (!p.resolved || !std::isfinite(value)) return false;
   const bool satisfied = t.stuck && value <= 0;
   const double scale = scale_of(t);
   r = satisfied ? 0 : (value - t.value) / scale;
-  if (by_ln && !p.by_ln[q].allFinite()) return false;
+  if (by_ln && !p.by_ln.row(q).allFinite()) return false;
   if (by_ln)
-    *by_ln = satisfied ? Eigen::VectorXd::Zero(ln.size()) : Eigen::VectorXd(p.by_ln[q] / scale);
+    *by_ln = satisfied ? Eigen::VectorXd::Zero(ln.size()) : Eigen::VectorXd(p.by_ln.row(q) / scale);
   return true;
 }
 

@@ -39,6 +39,7 @@ class ContactModel {
   std::size_t residuals() const { return terms_.size(); }
   std::size_t seen_of(std::size_t residual) const { return terms_[residual].seen; }
   Quantity quantity_of(std::size_t residual) const { return terms_[residual].quantity; }
+  std::size_t sample_of(std::size_t residual) const { return terms_[residual].sample; }
   bool known_errors() const { return known_errors_; }
   bool only_sticking() const;  ///< no number was seen, only that spheres stick
 
@@ -68,16 +69,20 @@ class ContactModel {
   struct Term {
     std::size_t seen;
     Quantity quantity;
-    double value, error;
+    std::size_t sample;   ///< of the motion; 0 for other quantities
+    double value;
+    double error;          ///< what one unit of the residual is
+    double unknown_error;  ///< the same if errors are not known
     bool stuck;
   };
-  /// What was last predicted for an observation.
+  /// What was last predicted for an observation: e^2, delta_max and t_max, then delta, v and F of each
+  /// sample of its motion.
   struct Prediction {
-    Eigen::VectorXd ln;
+    Eigen::VectorXd ln, values;
+    Eigen::MatrixXd by_ln;  ///< a row a value
     bool resolved = false, with_derivatives = false;
-    double values[3] = {};
-    Eigen::VectorXd by_ln[3];
   };
+  static Eigen::Index index_of(const Term& term);
 
   /// if_cheap: where the law has them itself.
   enum class Derivatives { none, if_cheap, all };
@@ -85,11 +90,18 @@ class ContactModel {
   double scale_of(const Term& term) const;
   void add_targets(const ContactFitSettings& settings);
   double usual_error() const;
+  void add_term(std::size_t seen, Quantity quantity, const Measured& m, double unknown_error, std::size_t sample = 0);
+  void add_e_squared(std::size_t seen, double usual_error);
+  void add_motion(std::size_t seen);
   void add_terms();
+  Impact scales_of(std::size_t seen) const;
+  double power_unit() const;
   void add_scales();
   std::optional<std::size_t> target_of(std::size_t seen, std::size_t free) const;
   CollisionInput input(std::size_t seen, const Eigen::VectorXd& ln) const;
   const Prediction& predict(std::size_t seen, const Eigen::VectorXd& ln, Derivatives wanted) const;
+  CollisionSettings settings_for(std::size_t seen) const;
+  Eigen::VectorXd numbers(std::size_t seen, const Collision& collision, const CollisionInput& input) const;
   void difference(std::size_t seen, Prediction& prediction) const;
   void differentiate(const Collision& collision, const CollisionInput& input, std::size_t seen,
                      Prediction& prediction) const;
@@ -101,6 +113,7 @@ class ContactModel {
   std::vector<Target> targets_;
   std::vector<CollisionInput> inputs_;  ///< one an observation, with any value of what is free
   std::vector<Term> terms_;
+  std::vector<std::vector<double>> times_;  ///< of the motion of each observation
   bool known_errors_ = true;
   double least_error_ = 0;
   CollisionScales scales_;

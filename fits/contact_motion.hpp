@@ -19,6 +19,7 @@ struct MotionSettings {
   double tolerance;  ///< of the embedded error of a step
   IntegrationLimits limits;
   bool trajectory = false, sensitivities = false;
+  std::vector<double> times = {};  ///< as CollisionSettings has them, over tau
 };
 
 /// A collision in scaled variables, from one integration.

@@ -31,9 +31,11 @@ bool resolved(const ContactMotion& motion) {
 /// Integrations of one collision with falling tolerances.
 class Convergence {
  public:
-  Convergence(const CollisionSettings& settings, double w0, const MoveContact& move_contact)
+  Convergence(const CollisionSettings& settings, double w0, double time_unit,
+              const MoveContact& move_contact)
       : settings_(settings),
         w0_(w0),
+        time_unit_(time_unit),
         move_contact_(move_contact),
         deadline_(std::chrono::steady_clock::now() +
                   std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -53,14 +55,18 @@ class Convergence {
   bool certain(double wanted) const;
 
   const CollisionSettings& settings_;
-  double w0_;
+  double w0_, time_unit_;
   const MoveContact& move_contact_;
   std::chrono::steady_clock::time_point deadline_;
 };
 
 ContactMotion Convergence::once(double tolerance, bool full) {
   MotionSettings s{tolerance, {deadline_}};
-  if (full) s.trajectory = settings_.trajectory, s.sensitivities = settings_.sensitivities;
+  if (full) {
+    s.trajectory = settings_.trajectory;
+    s.sensitivities = settings_.sensitivities;
+    for (const double t : settings_.times) s.times.push_back(t / time_unit_);
+  }
   ContactMotion motion = move_contact_(s);
   evaluations += motion.evaluations;
   return motion;
@@ -100,7 +106,8 @@ void Convergence::run() {
     last.reason = too_close;
   }
   if (!resolved(last) || !(settings_.trajectory || settings_.sensitivities)) return;
-  last = once(tolerance, true);
+  // Between its ends a step is only as good as its embedded error.
+  last = once(settings_.times.empty() ? tolerance : std::min(tolerance, settings_.tolerance), true);
 }
 
 Eigen::VectorXd by_input(const ContactMotion::Gradient& by_scaled,
@@ -152,7 +159,7 @@ Collision converge(const std::vector<Parameter>& scaled, const ContactScales& sc
       c.reason = "the parameters are too far apart for double precision";
       return c;
     }
-  Convergence convergence(settings, scaled[0].value, move_contact);
+  Convergence convergence(settings, scaled[0].value, scales.time.value, move_contact);
   convergence.run();
   const ContactMotion& motion = convergence.last;
   c.outcome = motion.outcome;

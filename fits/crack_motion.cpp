@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fits/contact_motion.hpp"
 #include "fits/crack_system.hpp"
+#include "fits/motion_recorder.hpp"
 
 namespace mdana {
 namespace {
@@ -54,7 +54,7 @@ class CrackCollision {
 
   bool go_on();
   void observe(const Stepper& stepper);
-  void record(const Full& y);
+  ContactMotion::Point point(const Full& y) const;
   bool settled(const Full& y);
   void turn(Full& y);
   bool reach_end_of_branch(Full& y);
@@ -73,6 +73,7 @@ class CrackCollision {
   MotionSettings settings_;
   CrackSystem system_;
   Integration<CrackSystem> integration_;
+  MotionRecorder recorder_{settings_};
   ContactMotion motion_;
   double energy_ = 0, first_energy_ = 0;
   bool turned_ = false, at_rest_ = false;
@@ -101,11 +102,12 @@ Stepper::States CrackCollision::scale_of(double w0) {
 }
 
 ContactMotion CrackCollision::run() {
-  record(integration_.stepper.y());
+  recorder_.start(integration_.stepper.y(), [this](const Full& y) { return point(y); });
   for (int segments = 0; segments < 10000 && go_on(); ++segments) {
   }
   if (motion_.outcome == CollisionOutcome::unresolved && motion_.reason.empty())
     motion_.reason = "the contact passes between branches of the crack law without end";
+  motion_.trajectory = recorder_.finish();
   motion_.evaluations = integration_.stepper.evaluations();
   return std::move(motion_);
 }
@@ -132,12 +134,11 @@ void CrackCollision::observe(const Stepper& stepper) {
   const double residual =
       std::abs(energy_ + end[4] - first_energy_) / std::max(1.0, 0.5 * contact_.w0 * contact_.w0);
   motion_.residual = std::max(motion_.residual, residual);
-  for (int i = 0; i < Stepper::stages; ++i) record(stepper.stage(i));
+  recorder_.add(stepper, [this](const Full& y) { return point(y); });
 }
 
-void CrackCollision::record(const Full& y) {
-  if (settings_.trajectory)
-    motion_.trajectory.push_back({y[3], system_.d(y.data()), y[0], y[1], system_.force(y.data())});
+ContactMotion::Point CrackCollision::point(const Full& y) const {
+  return {y[3], system_.d(y.data()), y[0], y[1], system_.force(y.data())};
 }
 
 /// Near equilibrium with no speed to speak of: a contact that only creeps.

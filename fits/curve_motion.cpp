@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fits/contact_motion.hpp"
+#include "fits/motion_recorder.hpp"
 #include "fits/resistance.hpp"
 
 namespace mdana {
@@ -115,9 +115,10 @@ class CurveCollision {
   }
 
   ContactMotion run() {
-    record(integration_.stepper.y());
+    recorder_.start(integration_.stepper.y(), [this](const Full& y) { return point(y); });
     while (go_on()) {
     }
+    motion_.trajectory = recorder_.finish();
     motion_.evaluations = integration_.stepper.evaluations();
     motion_.adhesive = Curve::least_energy < 0;
     return std::move(motion_);
@@ -151,12 +152,11 @@ class CurveCollision {
     energy_ = System::energy(end.data());
     motion_.residual = std::max(motion_.residual, std::abs(energy_ + end[3] - first_energy_) /
                                                       std::max(1.0, 0.5 * w0_ * w0_));
-    for (int i = 0; i < Stepper::stages; ++i) record(stepper.stage(i));
+    recorder_.add(stepper, [this](const Full& y) { return point(y); });
   }
 
-  void record(const Full& y) {
-    if (settings_.trajectory)
-      motion_.trajectory.push_back({y[2], Curve::d(y[1]), y[0], y[1], system_.force(y.data())});
+  ContactMotion::Point point(const Full& y) const {
+    return {y[2], Curve::d(y[1]), y[0], y[1], system_.force(y.data())};
   }
 
   Gradient derivative(const Full& by_y) const {
@@ -207,6 +207,7 @@ class CurveCollision {
   MotionSettings settings_;
   System system_;
   Integration<System> integration_;
+  MotionRecorder recorder_{settings_};
   ContactMotion motion_;
   double energy_ = 0, first_energy_ = 0;
   bool turned_ = false;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "fits/branch_motion.hpp"
 #include "fits/viscous_contact.hpp"
 
 namespace mdana {
@@ -10,36 +12,16 @@ namespace {
 /// t_max v/delta_max = integral of 1/sqrt(1 - x^2.5) = sqrt(pi) Gamma(7/5)/Gamma(9/10).
 const double compression_time = std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
 
-/// With x = (delta/delta_max) = sin^0.8: a point of the motion and the time to it by quadrature.
-void add_trajectory(Collision& c, const Impact& impact) {
-  constexpr int half = 64;
-  double time = 0;
-  std::vector<CollisionPoint> loading;
-  // y = sqrt(1 - x): dt = delta_max/v 2y dy/sqrt(1 - (1 - y^2)^2.5), which is smooth; Simpson's
-  // rule.
-  const auto pace = [](double y) {
-    if (y == 0) return 2 / std::sqrt(2.5);
-    return 2 * y / std::sqrt(-std::expm1(2.5 * std::log1p(-y * y)));
-  };
-  const double unit = c.delta_max / impact.velocity;
-  for (int k = 0; k <= half; ++k) {
-    const double y = 1 - static_cast<double>(k) / half, x = (1 - y) * (1 + y);
-    if (k > 0) {
-      const double h = 1.0 / half;
-      const double first = k == 1 ? 2.0 : pace(y + h);  // y = 1: log1p(-1)
-      time += h / 6 * (first + 4 * pace(y + 0.5 * h) + pace(y)) * unit;
-    }
-    const double speed = k == half ? 0 : std::sqrt(std::max(0.0, 1 - std::pow(x, 2.5)));
-    loading.push_back({time, x * c.delta_max, speed * impact.velocity, std::sqrt(x) * c.a_max,
-                       4.0 / 3.0 * impact.modulus * c.a_max * std::sqrt(x) * (x * c.delta_max)});
-  }
-  for (const CollisionPoint& p : loading) c.trajectory.push_back(p);
-  for (int k = half - 1; k >= 0; --k) {
-    const CollisionPoint& p = loading[static_cast<std::size_t>(k)];
-    c.trajectory.push_back(
-        {c.contact_time - p.time, p.delta, -p.velocity, p.contact_radius, p.force});
-  }
+double contact_radius(double delta, const ElasticContact& c) { return std::sqrt(c.radius * std::max(delta, 0.0)); }
+
+double force(double delta, const ElasticContact& c) {
+  return 4.0 / 3.0 * c.modulus * contact_radius(delta, c) * delta;
 }
+
+const ForceBranch hertz_branch{.force = force,
+                               .contact_radius = contact_radius,
+                               .least_delta = [](const ElasticContact&) { return 0.0; },
+                               .energy = [](double delta, const ElasticContact& c) { return 0.4 * force(delta, c) * delta; }};
 
 }  // namespace
 
@@ -60,8 +42,9 @@ Collision collide_elastic(const LawInput& input, const CollisionSettings& settin
   c.p_c_max = scales.centre_pressure(u);
   c.energy_residual = 0;
   if (settings.trajectory)
-    add_trajectory(
-        c, {input.radius.value, input.mass.value, input.modulus.value, input.velocity.value});
+    c.trajectory = branch_motion(hertz_branch, hertz_branch,
+                                 {input.radius.value, input.modulus.value, 0, 0, 0, c.delta_max}, input.mass.value,
+                                 settings.times);
   if (settings.sensitivities)
     c.sensitivities = {Parameter::Gradient::Zero(), d_max.gradient, t_max.gradient};
   return c;

@@ -49,7 +49,7 @@ void FitCoordinates::power_ranges() {
   kind_ = Kind::power;
   const double ln_v = std::log(scales_.velocity), ln_a = std::log(scales_.contact_radius);
   const double alpha = std::exp(ranges_[1].start), beta = std::exp(ranges_[2].start);
-  const double ln_force = std::log(scales_.force);
+  const double ln_force = std::log(scales_.force / scales_.modulus);  // D E* v^alpha a^beta is a force
   const double start =
       unknowns_[0].start > 0 ? ranges_[0].start + alpha * ln_v + beta * ln_a : ln_force - 1.5;
   ranges_[0] = {std::min(ln_force - 6, start), std::max(ln_force + 2, start), start};

@@ -33,8 +33,8 @@ struct Unknown {
 
 /// The solver's coordinates q of the logarithms of the unknowns. They are these logarithms, but for
 /// parameters that form a valley: C, B, zeta become ln C, ln z with z = (B p)^zeta at a pressure p
-/// of the data, ln zeta; D, alpha, beta become the logarithm of the force D v^alpha a^beta at v and a
-/// of the data, alpha, beta.
+/// of the data, ln zeta; D, alpha, beta become the logarithm of D v^alpha a^beta, a force over E*, at v
+/// and a of the data, alpha, beta.
 class FitCoordinates {
  public:
   FitCoordinates(std::vector<Unknown> unknowns, const CollisionScales& scales);

@@ -28,7 +28,7 @@ struct Problem {
   bool known_errors = true;
 
   /// The contact, and what is added to R1 + R2 - X, for parameters q: logarithms over a start for
-  /// the law's own, a part of delta_max for R and offset.
+  /// the law's own, for R and offset what is added to the start, over delta_max.
   struct State {
     ElasticContact contact;
     double shift = 0;
@@ -110,7 +110,7 @@ Problem::State state(const Problem& p, std::span<const double> q) {
       s.contact.*(own_parameter(p.law, name)->value) *= std::exp(q[k]);
       continue;
     }
-    s.shift = q[k] * p.delta_max;
+    s.shift = p.start.shift + q[k] * p.delta_max;
     if (name == "R") s.contact.radius *= (p.data.radius_sum + s.shift) / p.data.radius_sum;
   }
   s.contact.delta_max = 0;
@@ -256,6 +256,8 @@ ForceFit fit_force(const ForceLaw& law, const ForceData& data, const ForceFitSet
   }
   if (!(p.force_max > 0)) throw InputError("force fit: all forces are zero");
   p.start.contact = first_guess(p, settings.free);
+  if (std::ranges::any_of(settings.free, is_shift))  // bodies may touch before the radii given say so
+    p.start.shift = std::max(0.0, data.distance[p.points.front()] - data.radius_sum);
   require_parameters(law, p.start.contact);
   ForceFit f;
   f.points = p.points;

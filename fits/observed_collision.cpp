@@ -2,6 +2,7 @@
 #include "fits/observed_collision.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,14 @@ bool knows(const CollisionLaw& law, std::string_view name) {
 }
 
 }  // namespace
+
+void give_both(std::vector<NamedNumber>& given, const std::string& name, double first, double second) {
+  if (!(first > 0 && second > 0 && std::isfinite(first) && std::isfinite(second))) return;
+  if (std::abs(first - second) <= 0.01 * std::max(first, second))
+    return given.push_back({name, (first + second) / 2});
+  given.push_back({name + "1", first});
+  given.push_back({name + "2", second});
+}
 
 std::optional<double> ObservedCollision::find(std::string_view name) const {
   const auto at = std::ranges::find(given, name, &NamedNumber::name);

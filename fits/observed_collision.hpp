@@ -26,11 +26,23 @@ struct NamedNumber {
   double value = 0;
 };
 
-/// A collision that was seen, by whatever law. At least one of e, delta_max and t_max is known.
+/// A number of both bodies: equal ones (within 1 %) under the name of both ("R"), others under their own
+/// ("R1", "R2"); nothing if one is not known.
+void give_both(std::vector<NamedNumber>& given, const std::string& name, double first, double second);
+
+/// A moment of a collision that was followed.
+struct MotionSample {
+  double time = 0;  ///< [time]
+  Measured delta, velocity, force;  ///< R1 + R2 - X, d delta/dt, repulsive > 0
+};
+
+/// A collision that was seen, by whatever law. Either it was followed, or at least one of e, delta_max
+/// and t_max is known.
 struct ObservedCollision {
   std::vector<NamedNumber> given;  ///< what is known of it, v among them
   bool stuck = false;              ///< then e is 0, and its error says how small it would have to be
   Measured e, delta_max, t_max;
+  std::vector<MotionSample> motion;  ///< if it was followed; times since delta = 0
   std::string place;               ///< "runs.csv:7", for messages
 
   /// The number of that name; nothing if it is not given.

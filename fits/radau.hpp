@@ -54,6 +54,8 @@ class Radau {
   States at(double theta) const { return y_.template head<n>() + polynomial(theta); }
   /// States and quadratures at the stages of the last attempt.
   Full stage(int i) const;
+  /// The same at theta of it, 0 to 1, by the polynomial through start and stages.
+  Full between(double theta) const;
   long evaluations() const { return evaluations_; }
 
   void keep_derivatives(const Derivatives& start) { derivatives_ = start, keeps_ = true; }
@@ -241,6 +243,18 @@ typename Radau<System, S>::Full Radau<System, S>::stage(int i) const {
   y.template head<n>() += z_.col(i);
   y.template tail<q>() += h_ * (f_.template bottomRows<q>() * tableau_.a.row(i).transpose());
   return y;
+}
+
+template <class System, int S>
+typename Radau<System, S>::Full Radau<System, S>::between(double theta) const {
+  Full sum = Full::Zero();
+  for (int i = 0; i < S; ++i) {
+    double factor = tableau_.weights[i + 1] * theta;
+    for (int j = 0; j < S; ++j)
+      if (j != i) factor *= theta - tableau_.c[j];
+    sum += factor * (stage(i) - y_);
+  }
+  return y_ + sum;
 }
 
 /// The derivative of the discrete step itself: S_i = S_0 + h sum_j a_ij (J_j S_j + dF_j/dp).

@@ -50,13 +50,27 @@ std::string where(const ObservedCollision& s) {
   return text;
 }
 
+/// What was seen of a quantity that has no other story than its value.
+double value_of(const ObservedCollision& s, const FittedPoint& p) {
+  switch (p.quantity) {
+    case SeenQuantity::delta_max: return s.delta_max.value;
+    case SeenQuantity::t_max: return s.t_max.value;
+    case SeenQuantity::delta: return s.motion[p.sample].delta.value;
+    case SeenQuantity::velocity: return s.motion[p.sample].velocity.value;
+    case SeenQuantity::force: return s.motion[p.sample].force.value;
+    case SeenQuantity::e_squared: break;
+  }
+  return s.e.value * s.e.value;
+}
+
 std::string said(const ObservedCollision& s, const FittedPoint& p) {
+  constexpr std::string_view names[] = {"e^2", "delta_max", "t_max", "delta", "v", "F"};
   const auto e = [](double squared) { return squared > 0 ? fmt::format("e {:.4g}", std::sqrt(squared)) : std::string("sticking"); };
   if (p.quantity == SeenQuantity::e_squared)
-    return fmt::format("{}, fit {}", s.stuck ? "sticking" : e(s.e.value * s.e.value), e(p.predicted));
-  const bool delta = p.quantity == SeenQuantity::delta_max;
-  return fmt::format("{} {:.4g}, fit {:.4g}", delta ? "delta_max" : "t_max",
-                     delta ? s.delta_max.value : s.t_max.value, p.predicted);
+    return fmt::format("{}, fit {}", s.stuck ? "sticking" : e(value_of(s, p)), e(p.predicted));
+  const std::string text = fmt::format("{} {:.4g}, fit {:.4g}", names[static_cast<std::size_t>(p.quantity)],
+                                       value_of(s, p), p.predicted);
+  return p.quantity < SeenQuantity::delta ? text : fmt::format("{}, t = {:.4g}", text, s.motion[p.sample].time);
 }
 
 }  // namespace

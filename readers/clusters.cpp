@@ -10,52 +10,12 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "readers/cell_list.hpp"
 #include "readers/disjoint_sets.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
-
-using Cell = std::array<std::int64_t, 3>;
-
-/// Points sorted by the cubic cell that holds them; only occupied cells are kept, so that empty
-/// space costs nothing.
-class CellList {
- public:
-  CellList(const Eigen::Matrix3Xd& points, double edge) : points_(points), edge_(edge) {
-    origin_ = points.rowwise().minCoeff();
-    for (Eigen::Index i = 0; i < points.cols(); ++i) sorted_.emplace_back(cell_of(i), i);
-    std::sort(sorted_.begin(), sorted_.end());
-  }
-
-  /// Calls use(j, squared distance) for the other points j in the 27 cells around point i.
-  template <class Use>
-  void for_neighbours(Eigen::Index i, Use&& use) const {
-    const Cell c = cell_of(i);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        for_row({c[0] + dx, c[1] + dy, c[2] - 1}, {c[0] + dx, c[1] + dy, c[2] + 1}, i, use);
-  }
-
- private:
-  Cell cell_of(Eigen::Index i) const {
-    const Eigen::Vector3d scaled = ((points_.col(i) - origin_) / edge_).cwiseMin(0x1p62);
-    return {static_cast<std::int64_t>(scaled.x()), static_cast<std::int64_t>(scaled.y()),
-            static_cast<std::int64_t>(scaled.z())};
-  }
-
-  template <class Use>
-  void for_row(const Cell& first, const Cell& last, Eigen::Index i, Use& use) const {
-    auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, Eigen::Index{0}});
-    for (; it != sorted_.end() && it->first <= last; ++it)
-      if (it->second != i) use(it->second, (points_.col(it->second) - points_.col(i)).squaredNorm());
-  }
-
-  const Eigen::Matrix3Xd& points_;
-  double edge_;
-  Eigen::Vector3d origin_;
-  std::vector<std::pair<Cell, Eigen::Index>> sorted_;
-};
 
 double extent(const Eigen::Matrix3Xd& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();

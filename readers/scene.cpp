@@ -139,6 +139,31 @@ void read_material(Reader& reader, Scene& scene) {
   material.finish();
 }
 
+void read_aggregate(Reader& reader, Scene& scene) {
+  const toml::table* table = subtable(reader, "aggregate");
+  if (!table) return;
+  Reader aggregate(*table, reader.path(), "aggregate.");
+  scene.filling_factor = aggregate.positive("filling_factor");
+  if (scene.filling_factor && *scene.filling_factor > 1)
+    aggregate.fail(*table->get("filling_factor"), "filling_factor", "must be at most 1");
+  aggregate.finish();
+}
+
+void read_grains(Reader& reader, Scene& scene) {
+  const toml::table* table = subtable(reader, "grains");
+  if (!table) return;
+  Reader grains(*table, reader.path(), "grains.");
+  scene.grains.radius = grains.positive("radius");
+  scene.grains.density = grains.positive("density");
+  scene.grains.surface_energy = grains.positive("surface_energy");
+  scene.grains.modulus = grains.positive("modulus");
+  scene.grains.poisson_ratio = grains.number("poisson_ratio");
+  if (const auto nu = scene.grains.poisson_ratio; nu && !(*nu > -1 && *nu <= 0.5))
+    grains.fail(*table->get("poisson_ratio"), "poisson_ratio", "must be above -1 and at most 0.5");
+  scene.grains.rolling_displacement = grains.positive("rolling_displacement");
+  grains.finish();
+}
+
 Scene read(const toml::table& table, const std::filesystem::path& file) {
   Reader reader(table, file.string());
   Scene scene;
@@ -158,6 +183,8 @@ Scene read(const toml::table& table, const std::filesystem::path& file) {
   read_masses(reader, scene);
   read_bodies(reader, scene);
   read_material(reader, scene);
+  read_aggregate(reader, scene);
+  read_grains(reader, scene);
   if (const toml::table* generator = subtable(reader, "generator"))
     scene.impact_velocity = Reader(*generator, reader.path(), "generator.").number("velocity");
   reader.finish();

@@ -16,6 +16,16 @@ enum class Interaction { unknown, hertz, adhesive, aggregate };
 
 std::string_view name(Interaction interaction);
 
+/// The grains that an aggregate is made of; everything is optional.
+struct Grains {
+  std::optional<double> radius;          ///< [length]
+  std::optional<double> density;         ///< [mass/length^3] of a grain, not of the aggregate
+  std::optional<double> surface_energy;  ///< gamma of one surface [energy/length^2]
+  std::optional<double> modulus;         ///< Young's [pressure]
+  std::optional<double> poisson_ratio;   ///< -1 to 0.5
+  std::optional<double> rolling_displacement;  ///< xi_c [length], where rolling becomes inelastic
+};
+
 /// What is known of a run beside its dump; everything is optional. Read from a scene file (TOML)
 /// and completed by options; quantities are in the dump's units.
 struct Scene {
@@ -34,6 +44,8 @@ struct Scene {
   std::string radius_definition;             ///< "cut", "volume", ...
   std::optional<double> surface_energy;      ///< gamma of one surface [energy/length^2]
   std::optional<double> poisson_ratio;
+  std::optional<double> filling_factor;      ///< of the aggregates as made, grains (r/R)^3
+  Grains grains;                             ///< of aggregates
   std::optional<double> impact_velocity;     ///< [velocity] as generated
 };
 

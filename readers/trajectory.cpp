@@ -15,7 +15,8 @@
 namespace mdana {
 namespace {
 
-const Format& recognise(ByteSource& bytes, const std::filesystem::path& path) {
+/// Null if no format recognises the file.
+const Format* find_format(ByteSource& bytes, const std::filesystem::path& path) {
   std::array<char, 4096> head;
   bytes.mark();
   const std::string_view text(head.data(), bytes.read(head));
@@ -23,7 +24,12 @@ const Format& recognise(ByteSource& bytes, const std::filesystem::path& path) {
   if (text.empty() && bytes.damage().empty())
     throw InputError(fmt::format("{}: the file is empty", path.string()));
   for (const Format* format : formats())
-    if (format->recognises(text)) return *format;
+    if (format->recognises(text)) return format;
+  return nullptr;
+}
+
+const Format& recognise(ByteSource& bytes, const std::filesystem::path& path) {
+  if (const Format* format = find_format(bytes, path)) return *format;
   throw InputError(fmt::format("{}: not a dump that mdana knows{}", path.string(),
                                bytes.damage().empty() ? "" : ": " + bytes.damage()));
 }
@@ -43,6 +49,11 @@ std::unique_ptr<FrameSource> open_pieces(const Paths& files, const ColumnSet& wa
   return join_pieces(std::move(pieces));
 }
 
+std::filesystem::path first_file(const std::filesystem::path& path) {
+  const auto files = find_file_set(path);
+  return files ? files->front().front() : path;
+}
+
 }  // namespace
 
 std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
@@ -55,9 +66,15 @@ std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
 }
 
 std::string_view format_of(const std::filesystem::path& path) {
-  const auto files = find_file_set(path);
-  const std::filesystem::path& first = files ? files->front().front() : path;
+  const std::filesystem::path first = first_file(path);
   return recognise(*open_bytes(first), first).name;
+}
+
+std::optional<std::string_view> recognised_format(const std::filesystem::path& path) {
+  const std::filesystem::path first = first_file(path);
+  const Format* format = find_format(*open_bytes(first), first);
+  if (!format) return std::nullopt;
+  return format->name;
 }
 
 const Format* format_to_write(const std::filesystem::path& name) {

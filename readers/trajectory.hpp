@@ -22,6 +22,9 @@ std::unique_ptr<FrameSource> open_trajectory(const std::filesystem::path& path,
 /// The name of the format that recognises the (first) file; throws like open_trajectory.
 std::string_view format_of(const std::filesystem::path& path);
 
+/// The same; nothing if no format does. Throws InputError if the file is missing.
+std::optional<std::string_view> recognised_format(const std::filesystem::path& path);
+
 /// The format that files of this name are written in, by its ending; null if there is none.
 const Format* format_to_write(const std::filesystem::path& name);
 

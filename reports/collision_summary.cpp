@@ -27,20 +27,20 @@ double deviation(std::span<const double> values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-std::size_t count(std::span<const CollisionOutcome> outcomes, Outcome which) {
+std::size_t count(std::span<const SeriesOutcome> outcomes, Outcome which) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(outcomes, [&](const CollisionOutcome& o) { return o.outcome == which; }));
+      std::ranges::count_if(outcomes, [&](const SeriesOutcome& o) { return o.outcome == which; }));
 }
 
-std::size_t failed(std::span<const CollisionOutcome> outcomes) {
+std::size_t failed(std::span<const SeriesOutcome> outcomes) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(outcomes, [](const CollisionOutcome& o) { return !o.failure.empty(); }));
+      std::ranges::count_if(outcomes, [](const SeriesOutcome& o) { return !o.failure.empty(); }));
 }
 
 /// e of the runs where it is determined; of those that bounce, or of those that stick too.
-std::vector<double> restitutions(std::span<const CollisionOutcome> outcomes, bool sticking) {
+std::vector<double> restitutions(std::span<const SeriesOutcome> outcomes, bool sticking) {
   std::vector<double> all;
-  for (const CollisionOutcome& o : outcomes) {
+  for (const SeriesOutcome& o : outcomes) {
     const bool counts = o.outcome == Outcome::bounce || (sticking && o.outcome == Outcome::stick);
     if (counts && !std::isnan(o.e.value)) all.push_back(o.e.value);
   }
@@ -76,7 +76,7 @@ RootMeanSquare root_mean_square(std::span<const double> values) {
   return result;
 }
 
-void add_summary(Document& document, std::span<const CollisionOutcome> outcomes) {
+void add_summary(Document& document, std::span<const SeriesOutcome> outcomes) {
   const std::size_t bounced = count(outcomes, Outcome::bounce);
   const std::size_t stuck = count(outcomes, Outcome::stick);
   const std::size_t unresolved = count(outcomes, Outcome::unresolved), broken = failed(outcomes);
@@ -93,17 +93,18 @@ void add_summary(Document& document, std::span<const CollisionOutcome> outcomes)
                                                  {"low", p.low},
                                                  {"high", p.high},
                                                  {"interval", "Wilson, 95 %"}});
-  document.line("sticking probability", fmt::format("{:.3g} ({:.3g} to {:.3g} at 95 %, Wilson)",
-                                                    p.value, p.low, p.high));
+  document.line("sticking probability",
+                stuck + bounced == 0 ? "not determined"
+                                     : fmt::format("{:.3g} ({:.3g} to {:.3g} at 95 %, Wilson)", p.value, p.low, p.high));
   add_restitution_of(document, "e_rms", restitutions(outcomes, true));
   add_restitution_of(document, "e_rms_bouncing", restitutions(outcomes, false));
 }
 
-Table outcome_table(std::span<const CollisionOutcome> outcomes) {
+Table outcome_table(std::span<const SeriesOutcome> outcomes) {
   Table table;
   std::vector<std::string> dumps;
   std::vector<double> index, outcome, e, error, total, speed;
-  for (const CollisionOutcome& o : outcomes) {
+  for (const SeriesOutcome& o : outcomes) {
     index.push_back(static_cast<double>(dumps.size()));
     dumps.push_back(o.dump);
     outcome.push_back(o.outcome ? static_cast<double>(*o.outcome) : 3);

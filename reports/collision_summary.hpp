@@ -21,7 +21,7 @@ struct BinomialShare {
 BinomialShare wilson(std::size_t successes, std::size_t trials);
 
 /// What a run of a series ended with.
-struct CollisionOutcome {
+struct SeriesOutcome {
   std::string dump;
   std::string failure;              ///< why there is nothing else; else empty
   std::optional<Outcome> outcome;
@@ -39,9 +39,9 @@ RootMeanSquare root_mean_square(std::span<const double> values);
 
 /// `summary`: counts, sticking probability, RMS e and its spread over runs (Yoshida, Kokubo & Tanaka
 /// 2024, Figs. 7, 8: of all runs, e = 0 for those that stick) and over those that bounce.
-void add_summary(Document& document, std::span<const CollisionOutcome> outcomes);
+void add_summary(Document& document, std::span<const SeriesOutcome> outcomes);
 
 /// Columns dump, outcome, e, e_error, e_total, speed_before: a row a run.
-Table outcome_table(std::span<const CollisionOutcome> outcomes);
+Table outcome_table(std::span<const SeriesOutcome> outcomes);
 
 }  // namespace mdana

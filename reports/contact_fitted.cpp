@@ -75,9 +75,13 @@ Json range_of(std::span<const ObservedCollision> seen, std::string_view name) {
 
 void add_data(Document& document, const ContactFitSettings& settings, std::span<const ObservedCollision> seen) {
   const auto stuck = std::ranges::count_if(seen, &ObservedCollision::stuck);
+  std::size_t samples = 0;
+  for (const ObservedCollision& s : seen) samples += s.motion.size();
   document.json("observations", seen.size());
+  document.json("samples", samples);
   document.json("sticking", stuck);
-  document.line("observations", fmt::format("{}, {} of them stick", seen.size(), stuck));
+  document.line("observations", samples > 0 ? fmt::format("{} motion{} of {} moments", seen.size(), seen.size() == 1 ? "" : "s", samples)
+                                            : fmt::format("{}, {} of them stick", seen.size(), stuck));
   Json constants = Json::object(), range = Json::object();
   for (const NamedNumber& n : settings.constants) constants[n.name] = n.value;
   for (const char* name : {"R", "R1", "R2", "m", "rho", "E", "v", "gamma", "nu", "spacing"})
@@ -92,6 +96,7 @@ void add_scores(Document& document, const ContactFit& fit) {
   document.json("known_errors", fit.known_errors);
   document.json("aic", number(fit.aic));
   document.json("bic", number(fit.bic));
+  document.json("residual_memory", number(fit.residual_memory));
   document.json("singular_values", fit.singular_values);
   document.json("weak_direction", fit.weak_direction);
   document.json("digits", number(fit.digits));
@@ -135,6 +140,31 @@ void add_columns(Table& table, const Columns& c, std::span<const ObservedCollisi
   table.add_column({c.residual, dimension::none}, residual);
 }
 
+/// A row a sample: run (its index), time, and what was seen and fitted of delta, v and F.
+Table motion_fit_table(std::span<const ObservedCollision> seen, const ContactFit& fit) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::vector<double>> columns(8);
+  std::vector<std::size_t> first;  // row of each run
+  for (std::size_t run = 0; run < seen.size(); ++run) {
+    first.push_back(columns[0].size());
+    for (const MotionSample& m : seen[run].motion) {
+      const double row[] = {static_cast<double>(run), m.time, m.delta.value, unknown,
+                            m.velocity.value, unknown, m.force.value, unknown};
+      for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(row[k]);
+    }
+  }
+  for (const FittedPoint& p : fit.points)
+    if (p.quantity >= SeenQuantity::delta)
+      columns[3 + 2 * (static_cast<std::size_t>(p.quantity) - static_cast<std::size_t>(SeenQuantity::delta))]
+             [first[p.seen] + p.sample] = p.predicted;
+  const ColumnSpec specs[] = {{"run", dimension::none}, {"time", dimension::time}, {"delta", dimension::length},
+                              {"delta_fit", dimension::length}, {"v", dimension::velocity},
+                              {"v_fit", dimension::velocity}, {"F", dimension::force}, {"F_fit", dimension::force}};
+  Table table;
+  for (std::size_t k = 0; k < columns.size(); ++k) table.add_column(specs[k], columns[k]);
+  return table;
+}
+
 }  // namespace
 
 void add_contact_fit(Document& document, const CollisionLaw& law, const ContactFitSettings& settings,
@@ -152,6 +182,10 @@ void add_contact_fit(Document& document, const CollisionLaw& law, const ContactF
   document.json("usable", fit.usable);
   document.json("reason", fit.reason);
   for (const std::string& note : fit.notes) document.warn(note);
+  if (fit.residual_memory > 1.5)
+    document.warn(fmt::format("residuals of neighbouring moments, and of delta, v and F, are alike, as those of {:.2g} times "
+                              "fewer independent ones: errors and AIC count with that; where the law is wrong they say "
+                              "nothing of it", fit.residual_memory));
   if (!fit.known_errors)
     document.warn("no standard errors are given: those of the parameters, AIC and BIC take the scatter about "
                   "the fit for the error");
@@ -159,6 +193,8 @@ void add_contact_fit(Document& document, const CollisionLaw& law, const ContactF
 }
 
 Table contact_fit_table(std::span<const ObservedCollision> seen, const ContactFit& fit) {
+  if (std::ranges::any_of(seen, [](const ObservedCollision& s) { return !s.motion.empty(); }))
+    return motion_fit_table(seen, fit);
   Table table;
   for (const auto& [name, dimension] : {std::pair{"R", dimension::length}, {"v", dimension::velocity}}) {
     std::vector<double> column;

@@ -216,15 +216,15 @@ Converted run_passes(const Conversion& conversion, const fs::path& output) {
   return result;
 }
 
-/// Nothing but a file that is none of the inputs may be replaced.
-void check_output(const Conversion& conversion) {
-  const fs::path& output = conversion.output;
+}  // namespace
+
+void check_new_file(const fs::path& dump, const fs::path& output) {
   if (!fs::exists(output)) return;
   if (!fs::is_regular_file(output))
     throw InputError(fmt::format("{}: exists and is not a file; it is not replaced",
                                  output.string()));
-  const auto set = find_file_set(conversion.dump);
-  const FileSet inputs = set ? *set : FileSet{std::vector<fs::path>{conversion.dump}};
+  const auto set = find_file_set(dump);
+  const FileSet inputs = set ? *set : FileSet{std::vector<fs::path>{dump}};
   for (const auto& pieces : inputs)
     for (const fs::path& input : pieces)
       if (std::error_code none; fs::equivalent(input, output, none))
@@ -232,11 +232,9 @@ void check_output(const Conversion& conversion) {
                                      output.string(), input.string()));
 }
 
-}  // namespace
-
 Converted convert_dump(const Conversion& conversion) {
   const auto start = std::chrono::steady_clock::now();
-  check_output(conversion);
+  check_new_file(conversion.dump, conversion.output);
   OutputFile file(conversion.output);
   Converted result;
   try {

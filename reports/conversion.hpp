@@ -50,6 +50,9 @@ struct Converted {
   double seconds = 0;
 };
 
+/// Throws InputError if the output is there and no file, or is one of the files of the dump.
+void check_new_file(const std::filesystem::path& dump, const std::filesystem::path& output);
+
 /// Writes the dump anew, block by block in bounded memory; a frame that is sorted, or of which atoms
 /// are selected, is in memory as a whole. The output is made whole or not at all. Of a dump that is damaged the frames before are
 /// written, and `damage` says why: if the damage is met within a frame, the dump is read once more

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "readers/input_error.hpp"
 #include "reports/version.hpp"
 
 namespace mdana {
@@ -119,6 +120,13 @@ void Document::json(std::string_view name, nlohmann::ordered_json value) {
 
 void Document::line(std::string label, std::string text) {
   lines_.emplace_back(std::move(label), std::move(text));
+}
+
+void Document::set_units(Units units) {
+  if (root_["units"].is_string() && units != units_)
+    throw InputError(fmt::format("units {}, but those of the runs before are {}", name(units), name(units_)));
+  units_ = units;
+  root_["units"] = name(units);
 }
 
 void Document::warn(std::string warning) { warnings_.push_back(std::move(warning)); }

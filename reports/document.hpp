@@ -48,6 +48,7 @@ class Document {
   void sweep(const SweepResult& swept, std::string_view format);
 
   Units units() const { return units_; }  ///< of the numbers
+  void set_units(Units units);            ///< of several runs; throws InputError if they differ
   bool damaged() const { return damaged_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include "readers/input_error.hpp"
+#include "reports/conversion.hpp"
 
 namespace mdana {
 namespace {
@@ -47,11 +45,9 @@ std::array<std::string, 3> axes(const Box& box) {
   return {"x", "y", "z"};
 }
 
-std::string checked(const std::filesystem::path& place, const Run& run) {
-  std::error_code none;
-  if (std::filesystem::equivalent(place, run.dump, none))
-    throw InputError(fmt::format("{}: the output is the input; choose another name", place.string()));
-  return place.string();
+const std::filesystem::path& checked(const std::filesystem::path& place, const Run& run) {
+  check_new_file(run.dump, place);
+  return place;
 }
 
 }  // namespace

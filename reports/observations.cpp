@@ -3,33 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "fits/lj_particles.hpp"
+#include "fits/repeats.hpp"
+#include "readers/trajectory.hpp"
 #include "readers/input_error.hpp"
+#include "reports/hdf5_results.hpp"
 #include "reports/whole_file.hpp"
-#ifdef MDANA_WITH_HDF5
-#include "readers/hdf5.hpp"
-#endif
 
 namespace mdana {
 namespace {
 
 constexpr double same_radius = 0.005;  ///< relative: the paper itself has 88.2 for 88.4
-
-/// The JSON document in an HDF5 file of mdana.
-std::string hdf5_document(const std::filesystem::path& path) {
-#ifdef MDANA_WITH_HDF5
-  const hdf5::Group file = hdf5::open_file(path);
-  if (!file.has_dataset("document"))
-    throw InputError(fmt::format("{}: no results of mdana: it has no dataset 'document'", path.string()));
-  const std::vector<std::string> texts = file.dataset("document").read_texts({});
-  return texts.empty() ? std::string() : texts.front();
-#else
-  throw InputError(fmt::format("{}: this build does not read HDF5; give the JSON document instead", path.string()));
-#endif
-}
 
 bool is_hdf5(std::string_view text) { return text.starts_with("\x89HDF\r\n\x1a\n"); }
 
@@ -38,18 +26,67 @@ bool is_json(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-void read_file(const std::filesystem::path& path, Observations& all) {
-  WholeFile content = read_whole(path);
-  const bool hdf5 = is_hdf5(content.text);
-  if (hdf5) content.text = hdf5_document(path);
-  const bool document = hdf5 || is_json(content.text);
-  if (document) {
-    all.seen.push_back(parse_collision_document(content.text, path.string()));
-  } else {
-    for (ObservedCollision& c : parse_collision_table(content.text, path.string()))
-      all.seen.push_back(std::move(c));
+/// What one of the formats recognises, but for results of mdana, which are HDF5 as H5MD is.
+bool is_dump(const std::filesystem::path& path) {
+  const auto format = recognised_format(path);
+  return format && (*format != "h5md" || !holds_results(path));
+}
+
+/// Files as they are read; what mdana compress tells waits for the others, since its errors are by repeats.
+class Reading {
+ public:
+  explicit Reading(const ObservationSettings& settings) : settings_(settings) {}
+
+  void read(const std::filesystem::path& path) {
+    if (is_dump(path)) return read_dump(path);
+    const WholeFile content = read_whole(path);
+    const std::string place = path.string();
+    if (is_hdf5(content.text))
+      take(parse_observed_document(hdf5_document(path), place, settings_.wanted, motion_rows(path)), content.record);
+    else if (is_json(content.text))
+      take(parse_observed_document(content.text, place, settings_.wanted), content.record);
+    else
+      take(read_table(read_csv(content.text, place), place), content.record);
   }
-  all.files.push_back({content.record, document ? "collision" : "table"});
+
+  Observations finish() {
+    set_errors_by_repeats(compressed_);
+    std::ranges::move(compressed_, std::back_inserter(all_.seen));
+    return std::move(all_);
+  }
+
+ private:
+  void read_dump(const std::filesystem::path& path) {
+    ObservedDump dump = observe_dump(path, settings_);
+    all_.seen.push_back(std::move(dump.seen));
+    for (const InputRecord& record : dump.records) all_.files.push_back({record, dump.format});
+  }
+
+  static ObservedDocument read_table(const CsvText& table, const std::string& place) {
+    if (is_motion(table)) return {{observed_motion(table, place)}, "motion"};
+    return {observed_collisions(table), "table"};
+  }
+
+  std::vector<MotionSample> motion_rows(const std::filesystem::path& path) const {
+    return settings_.wanted == Wanted::motion ? hdf5_motion(path) : std::vector<MotionSample>();
+  }
+
+  void take(ObservedDocument read, const InputRecord& record) {
+    std::ranges::move(read.seen, std::back_inserter(read.command == "compress" ? compressed_ : all_.seen));
+    all_.files.push_back({record, read.command});
+  }
+
+  const ObservationSettings& settings_;
+  Observations all_;
+  std::vector<ObservedCollision> compressed_;
+};
+
+void require_one_kind(std::span<const ObservedCollision> seen) {
+  const auto followed = [](const ObservedCollision& s) { return !s.motion.empty(); };
+  const auto motion = std::ranges::find_if(seen, followed), other = std::ranges::find_if_not(seen, followed);
+  if (motion != seen.end() && other != seen.end())
+    throw InputError(fmt::format("{} is a motion, {} is a collision without one: fit them apart", motion->place,
+                                 other->place));
 }
 
 /// What was seen with and what without an error; sticking collisions need none.
@@ -61,7 +98,9 @@ struct Errors {
 
 Errors errors_of(std::span<const ObservedCollision> seen) {
   Errors errors;
-  for (const ObservedCollision& s : seen)
+  for (const ObservedCollision& s : seen) {
+    for (const MotionSample& sample : s.motion)
+      if (!(sample.delta.error > 0)) errors.without = &s, errors.what = "delta";
     for (const auto& [name, m] : {std::pair{"e", &s.e}, {"delta_max", &s.delta_max}, {"t_max", &s.t_max}}) {
       if (!m->known() || (s.stuck && m == &s.e)) continue;
       if (m->error > 0)
@@ -69,6 +108,7 @@ Errors errors_of(std::span<const ObservedCollision> seen) {
       else if (!errors.without)
         errors.without = &s, errors.what = name;
     }
+  }
   return errors;
 }
 
@@ -78,9 +118,11 @@ bool Observations::given(std::string_view name) const {
   return std::ranges::any_of(seen, [&](const ObservedCollision& s) { return s.find(name).has_value(); });
 }
 
-Observations read_observations(std::span<const std::filesystem::path> files) {
-  Observations all;
-  for (const auto& path : files) read_file(path, all);
+Observations read_observations(std::span<const std::filesystem::path> files, const ObservationSettings& settings) {
+  Reading reading(settings);
+  for (const auto& path : files) reading.read(path);
+  Observations all = reading.finish();
+  require_one_kind(all.seen);
   const Errors errors = errors_of(all.seen);
   if (errors.with && errors.without)
     throw InputError(fmt::format("{}: {} has no standard error, but others have one ({}); give all or none",

@@ -102,7 +102,7 @@ void list_left_out(StudyRun& entry) {
     case Interaction::adhesive:
       out.push_back({"Hertz fit", "the scene is adhesive: Hertz's law has no adhesion"});
       break;
-    case Interaction::aggregate:
+    case Interaction::aggregate:  // not in a study
     case Interaction::unknown:
       out.push_back({"Hertz fit, overlays", "the scene does not state a hertz or adhesive interaction"});
   }
@@ -148,8 +148,17 @@ void analyse(const Study& study, StudyRun& entry, const SweepOptions& options,
 Study find_study(const fs::path& directory) {
   if (!fs::is_directory(directory))
     throw InputError(fmt::format("{}: no such directory", directory.string()));
-  Study study{directory, {}};
-  for (const fs::path& file : scene_files(directory)) study.runs.push_back(open_run(file));
+  Study study{directory, {}, {}};
+  for (const fs::path& file : scene_files(directory)) {
+    StudyRun entry = open_run(file);
+    if (entry.run && entry.run->scene.interaction == Interaction::aggregate)
+      study.aggregates.push_back(entry.name);
+    else
+      study.runs.push_back(std::move(entry));
+  }
+  if (study.runs.empty() && !study.aggregates.empty())
+    throw InputError(fmt::format("{}: {}: {}", directory.string(), study.aggregates.front(),
+                                 aggregates_left_out));
   if (study.runs.empty())
     throw InputError(fmt::format("{}: no scene.toml here or one level below; every run needs one "
                                  "(see sample-data/adhesive-tiny/scene.toml)", directory.string()));

@@ -54,6 +54,8 @@ nlohmann::ordered_json study_json(const Study& study) {
   json["directory"] = study.directory.string();
   json["runs"] = nlohmann::ordered_json::array();
   for (const StudyRun& entry : study.runs) json["runs"].push_back(run_json(entry));
+  for (const std::string& name : study.aggregates)
+    json["left_out"].push_back({{"what", name}, {"reason", aggregates_left_out}});
   return json;
 }
 

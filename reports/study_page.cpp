@@ -175,6 +175,8 @@ std::string left_out_section(const Study& study) {
   std::vector<std::vector<std::string>> rows;
   for (const StudyRun& entry : study.runs)
     for (const LeftOut& l : entry.left_out) rows.push_back({entry.name, l.what, l.reason});
+  for (const std::string& name : study.aggregates)
+    rows.push_back({name, "the run", std::string(aggregates_left_out)});
   return text + html::table({"run", "left out", "because"}, rows, 3);
 }
 

@@ -29,7 +29,7 @@ double least_pairs(const std::array<Neighbour, 12>& all) {
 std::vector<float> centro_symmetry(const Sites& sites) {
   std::vector<float> values(sites.structure.size(), std::numeric_limits<float>::quiet_NaN());
   const double unit = sites.grid.spacing * sites.grid.spacing;
-  for_neighbours(sites, all_places(sites), [&](std::size_t k, const Neighbours& found) {
+  for_neighbours(sites, all_places(sites), [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
     if (const auto twelve = nearest_twelve(found))
       values[k] = static_cast<float>(least_pairs(*twelve) * unit);
   });
@@ -38,7 +38,7 @@ std::vector<float> centro_symmetry(const Sites& sites) {
 
 std::vector<std::uint8_t> coordination(const Sites& sites) {
   std::vector<std::uint8_t> values(sites.structure.size());
-  for_neighbours(sites, all_places(sites), [&](std::size_t k, const Neighbours& found) {
+  for_neighbours(sites, all_places(sites), [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
     const auto count = std::count_if(found.begin(), found.end(), [](const Neighbour& n) {
       return n.d2 < between_shells * between_shells;
     });

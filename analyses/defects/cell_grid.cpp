@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -34,17 +33,23 @@ Extent extent(const std::vector<double>& values) {
   throw InputError("a position is not finite");
 }
 
+/// Whole position modulo 2^32.
+std::int32_t whole(double scaled) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(
+      static_cast<std::uint64_t>(scaled * units_a_spacing + 0.5)));
+}
+
 /// Cells along the three axes, and what puts an atom into one.
 class Cells {
  public:
-  Cells(const FrameAtoms& atoms, double spacing) : inverse_(1 / spacing) {
+  Cells(const FrameAtoms& atoms, double spacing) : scale_(1 / spacing), cells_(1 / (reach * spacing)) {
     double sum = 0;  // not finite if a position is not
     for (std::size_t i = 0; i < atoms.size(); ++i) sum += 0 * (atoms.x[i] + atoms.y[i] + atoms.z[i]);
     if (sum != 0) not_finite(atoms);
     const Extent extents[] = {extent(atoms.x), extent(atoms.y), extent(atoms.z)};
     for (std::size_t k = 0; k < 3; ++k) {
       origin_[k] = extents[k].lo;
-      const double count = (extents[k].hi - origin_[k]) * inverse_ / reach + 1;
+      const double count = (extents[k].hi - origin_[k]) * cells_ + 1;
       if (!(count < static_cast<double>(most_cells)))
         throw InputError(fmt::format("atoms lie {:.3g} neighbour distances of {:.3g} apart: some are "
                                      "lost, or on top of each other; leave them out by --select, or "
@@ -53,61 +58,71 @@ class Cells {
     }
   }
 
-  double scaled(const std::vector<double>& axis, std::size_t k, std::size_t i) const {
-    return (axis[i] - origin_[k]) * inverse_;
+  std::int32_t position(double at, std::size_t axis) const {
+    return whole((at - origin_[axis]) * scale_);
   }
-  std::uint64_t cell(const std::vector<double>& axis, std::size_t k, std::size_t i) const {
-    return static_cast<std::uint64_t>(scaled(axis, k, i) / reach);
+  std::uint64_t cell(double at, std::size_t axis) const {
+    return static_cast<std::uint64_t>((at - origin_[axis]) * cells_);
   }
   std::uint64_t key(const FrameAtoms& a, std::size_t i) const {
-    return (cell(a.z, 2, i) + 1) << (2 * bits) | (cell(a.y, 1, i) + 1) << bits |
-           (cell(a.x, 0, i) + 1);
+    return key_of(cell(a.x[i], 0), cell(a.y[i], 1), cell(a.z[i], 2));
   }
-  std::uint64_t dense(const FrameAtoms& a, std::size_t i) const {
-    return (cell(a.z, 2, i) * count_[1] + cell(a.y, 1, i)) * count_[0] + cell(a.x, 0, i);
+  std::uint64_t number(const FrameAtoms& a, std::size_t i) const {
+    return (cell(a.z[i], 2) * count_[1] + cell(a.y[i], 1)) * count_[0] + cell(a.x[i], 0);
   }
-  /// All cells, empty ones too; a great number if it cannot be told.
+  std::uint64_t key_of_number(std::uint64_t number) const {
+    const std::uint64_t rows = number / count_[0];
+    return key_of(number % count_[0], rows % count_[1], rows / count_[1]);
+  }
+  /// Empty ones, too; a great number if it cannot be told.
   double all() const {
     return static_cast<double>(count_[0]) * static_cast<double>(count_[1]) *
            static_cast<double>(count_[2]);
   }
 
  private:
-  double inverse_;
+  static std::uint64_t key_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    return (z + 1) << (2 * bits) | (y + 1) << bits | (x + 1);
+  }
+
+  double scale_, cells_;  ///< spacings, cells a length
   std::array<double, 3> origin_;
   std::array<std::uint64_t, 3> count_;
 };
 
-/// Order of the atoms by cell where cells can be counted one by one.
-std::vector<std::uint32_t> counted(const FrameAtoms& atoms, const Cells& cells) {
+/// Atoms by cell where cells can be counted one by one.
+void sort_by_counting(const FrameAtoms& atoms, const Cells& cells, CellGrid& grid) {
   std::vector<std::uint32_t> of_atom(atoms.size());
   std::vector<std::uint32_t> next(static_cast<std::size_t>(cells.all()) + 1);
   for (std::size_t i = 0; i < atoms.size(); ++i) {
-    of_atom[i] = static_cast<std::uint32_t>(cells.dense(atoms, i));
+    of_atom[i] = static_cast<std::uint32_t>(cells.number(atoms, i));
     ++next[of_atom[i] + 1];
   }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<std::uint32_t> order(atoms.size());
+  for (std::size_t number = 0; number + 1 < next.size(); ++number) {
+    const std::uint32_t first = next[number];
+    next[number + 1] += first;
+    if (next[number + 1] == first) continue;
+    grid.key.push_back(cells.key_of_number(number));
+    grid.start.push_back(first);
+  }
+  grid.atom.resize(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i)
-    order[next[of_atom[i]]++] = static_cast<std::uint32_t>(i);
-  return order;
+    grid.atom[next[of_atom[i]]++] = static_cast<std::uint32_t>(i);
 }
 
 /// The same where atoms are few among the cells.
-std::vector<std::uint32_t> compared(const FrameAtoms& atoms, const Cells& cells) {
+void sort_by_comparing(const FrameAtoms& atoms, const Cells& cells, CellGrid& grid) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i)
     keyed[i] = {cells.key(atoms, i), static_cast<std::uint32_t>(i)};
   std::sort(keyed.begin(), keyed.end());
-  std::vector<std::uint32_t> order;
-  order.reserve(keyed.size());
-  for (const auto& [key, atom] : keyed) order.push_back(atom);
-  return order;
-}
-
-std::int32_t whole(double scaled) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(
-      static_cast<std::uint64_t>(scaled * units_a_spacing + 0.5)));
+  for (const auto& [key, atom] : keyed) {
+    if (grid.key.empty() || grid.key.back() != key) {
+      grid.key.push_back(key);
+      grid.start.push_back(static_cast<std::uint32_t>(grid.atom.size()));
+    }
+    grid.atom.push_back(atom);
+  }
 }
 
 }  // namespace
@@ -115,20 +130,16 @@ std::int32_t whole(double scaled) {
 CellGrid::CellGrid(const FrameAtoms& atoms, double of_spacing) : spacing(of_spacing) {
   const Cells cells(atoms, spacing);
   const std::size_t n = atoms.size();
-  const bool dense = cells.all() <= 2 * static_cast<double>(n) + 4096;
-  atom = dense ? counted(atoms, cells) : compared(atoms, cells);
+  const bool countable = cells.all() <= 2 * static_cast<double>(n) + 4096;
+  countable ? sort_by_counting(atoms, cells, *this) : sort_by_comparing(atoms, cells, *this);
+  start.push_back(static_cast<std::uint32_t>(n));
   for (auto* axis : {&x, &y, &z}) axis->resize(n + padding);
   for (std::size_t s = 0; s < n; ++s) {
     const std::uint32_t i = atom[s];
-    x[s] = whole(cells.scaled(atoms.x, 0, i));
-    y[s] = whole(cells.scaled(atoms.y, 1, i));
-    z[s] = whole(cells.scaled(atoms.z, 2, i));
-    const std::uint64_t k = cells.key(atoms, i);
-    if (!key.empty() && key.back() == k) continue;
-    key.push_back(k);
-    start.push_back(static_cast<std::uint32_t>(s));
+    x[s] = cells.position(atoms.x[i], 0);
+    y[s] = cells.position(atoms.y[i], 1);
+    z[s] = cells.position(atoms.z[i], 2);
   }
-  start.push_back(static_cast<std::uint32_t>(n));
 }
 
 std::size_t CellGrid::cell_of(std::size_t sorted) const {

@@ -51,11 +51,14 @@ double local_cutoff(const std::array<Neighbour, N>& all) {
 template <std::size_t N>
 std::optional<std::array<Neighbour, N>> nearest(const Neighbours& all) {
   if (all.size() < N) return std::nullopt;
-  Neighbours sorted = all;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Neighbour& a, const Neighbour& b) { return a.d2 < b.d2; });
   std::array<Neighbour, N> found;
-  std::copy_n(sorted.begin(), N, found.begin());
+  std::size_t count = 0;
+  for (const Neighbour& n : all) {
+    if (count == N && !(n.d2 < found[N - 1].d2)) continue;
+    std::size_t at = count < N ? count++ : N - 1;
+    for (; at > 0 && n.d2 < found[at - 1].d2; --at) found[at] = found[at - 1];
+    found[at] = n;
+  }
   return found;
 }
 
@@ -141,13 +144,15 @@ std::optional<Eigen::Matrix3d> deformation(std::span<const Neighbour, 12> all) {
   if (!primitive) return std::nullopt;
   const Eigen::Matrix3d inverse = primitive->inverse();
   Eigen::Matrix3d measured = Eigen::Matrix3d::Zero(), ideal = Eigen::Matrix3d::Zero();
-  std::vector<Eigen::Vector3d> seen;
+  Twelve seen;
+  std::size_t count = 0;
   for (const Neighbour& n : all) {
     const Eigen::Vector3d u = n.offset.cast<double>();
     const Eigen::Vector3d v = ideal_primitive() * (inverse * u).array().round().matrix();
-    if (std::abs(v.squaredNorm() - 1) > 0.1 || std::find(seen.begin(), seen.end(), v) != seen.end())
+    const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
+    if (std::abs(v.squaredNorm() - 1) > 0.1 || std::find(seen.begin(), end, v) != end)
       return std::nullopt;
-    seen.push_back(v);
+    seen[count++] = v;
     measured += u * v.transpose();
     ideal += v * v.transpose();
   }

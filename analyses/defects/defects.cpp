@@ -65,10 +65,13 @@ std::vector<T> by_atom(const CellGrid& grid, const std::vector<T>& by_place) {
 }
 
 void add_surface_columns(std::vector<ColumnSpec>& all) {
+  const ColumnSpec parts[] = {{"surface_area", dimension::area},
+                              {"surface_volume", dimension::volume},
+                              {"surface_radius", dimension::length},
+                              {"voids", dimension::none},
+                              {"void_volume", dimension::volume}};
   for (const char* body : {"1", "2"})
-    for (const auto& [name, dimension] : {std::pair{"surface_area", dimension::area}, {"surface_volume", dimension::volume},
-                                          {"surface_radius", dimension::length}, {"voids", dimension::none}})
-      all.push_back({std::string(name) + body, dimension});
+    for (const ColumnSpec& part : parts) all.push_back({part.name + body, part.dimension});
   all.push_back({"patch_area", dimension::area});
   all.push_back({"patch_area_error", dimension::area});
 }
@@ -76,12 +79,10 @@ void add_surface_columns(std::vector<ColumnSpec>& all) {
 /// In the order of these columns.
 void fill_surfaces(const BodySurfaces& surfaces, double spacing, std::span<double> row) {
   std::size_t next = 0;
-  for (const SurfaceMesh& mesh : surfaces.body) {
-    row[next++] = mesh.area();
-    row[next++] = mesh.volume();
-    row[next++] = mesh.radius(spacing);
-    row[next++] = static_cast<double>(mesh.voids());
-  }
+  for (const SurfaceMesh& mesh : surfaces.body)
+    for (const double value : {mesh.area(), mesh.volume(), mesh.radius(spacing),
+                               static_cast<double>(mesh.voids()), mesh.void_volume()})
+      row[next++] = value;
   row[next++] = surfaces.patch.value;
   row[next] = surfaces.patch.error.value_or(0);
 }
@@ -125,7 +126,7 @@ class Defects final : public FrameAnalysis {
     for (const char* body : {"1", "2"})
       for (const char* part : {"lattice_w", "lattice_x", "lattice_y", "lattice_z", "lattice_share"})
         all.push_back({std::string(part) + body, dimension::none});
-    if (settings_.surfaces) add_surface_columns(all);
+    if (settings_.surface) add_surface_columns(all);
     return all;
   }
 
@@ -142,7 +143,7 @@ class Defects final : public FrameAnalysis {
     FrameDefects found;
     found.step = header.step;
     const auto rest = fill(*atoms, sites, row, found.planes);
-    if (settings_.surfaces) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), grid.spacing, rest);
+    if (settings_.surface) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), grid.spacing, rest);
     if (!settings_.product) return nullptr;
     found.labels = labels(sites);
     return std::make_unique<DefectProduct>(settings_, header, std::move(atoms), std::move(found));
@@ -153,9 +154,8 @@ class Defects final : public FrameAnalysis {
   std::span<double> fill(const FrameAtoms& atoms, Sites& sites, std::span<double> row,
             std::vector<FaultPlane>& planes) const {
     label_structures(sites, settings_.by_cgal);
-    const std::size_t repaired = repair(sites);
+    const std::size_t repaired = find_sites(sites, atoms);
     const OtherStructures others = find_other_structures(sites, settings_.bcc, settings_.ico);
-    find_sites(sites, atoms);
     planes = find_planes(sites, atoms);
     auto next = row.begin();
     const auto put = [&](auto value) { *next++ = static_cast<double>(value); };

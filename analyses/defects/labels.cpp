@@ -13,19 +13,17 @@ constexpr std::size_t places_at_once = 256;
 
 void label_by_kernel(Sites& sites) {
   const StructureKernel& kernel = best_structure_kernel();
-  std::vector<std::uint8_t> labels(sites.structure.size());
+  auto* const labels = reinterpret_cast<std::uint8_t*>(sites.structure.data());
   for_ranges(sites.grid.cells(), cells_at_once, sites.threads, [&](std::size_t first, std::size_t end) {
     float* margins = sites.margin.empty() ? nullptr : sites.margin.data();
-    if (kernel.label(sites.grid, first, end, labels.data(), margins) != end) too_many_neighbours();
+    if (kernel.label(sites.grid, first, end, labels, margins) != end) too_many_neighbours();
   });
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    sites.structure[i] = static_cast<Structure>(labels[i]);
 }
 
 void label_by_search(Sites& sites) {
   std::vector<std::uint32_t> all(sites.structure.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
-  for_neighbours(sites, all, [&](std::size_t k, const Neighbours& found) {
+  for_neighbours(sites, all, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
     const Labelled labelled = common_neighbour_structure(found);
     sites.structure[k] = labelled.structure;
     if (!sites.margin.empty()) sites.margin[k] = labelled.margin;
@@ -42,13 +40,14 @@ std::vector<std::uint32_t> places_of(const Sites& sites, Structure structure) {
 }
 
 void for_neighbours(const Sites& sites, const std::vector<std::uint32_t>& places,
-                    const std::function<void(std::size_t k, const Neighbours& found)>& use) {
+                    const std::function<void(std::size_t k, const Neighbours& found,
+                                             NeighbourSearch& search)>& use) {
   for_ranges(places.size(), places_at_once, sites.threads, [&](std::size_t first, std::size_t end) {
     const auto search = sites.search();
     Neighbours found;
     for (std::size_t k = first; k < end; ++k) {
       search->about(places[k], found);
-      use(k, found);
+      use(k, found, *search);
     }
   });
 }
@@ -58,17 +57,21 @@ void label_structures(Sites& sites, bool by_search) {
 }
 
 OtherStructures find_other_structures(Sites& sites, bool label_bcc, bool label_ico) {
-  const auto places = places_of(sites, Structure::other);
+  std::vector<std::uint32_t> places;
+  for (std::size_t i = 0; i < sites.site.size(); ++i)
+    if (sites.site[i] == Site::bulk_defect) places.push_back(static_cast<std::uint32_t>(i));
   std::vector<Structure> found(places.size());
-  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours) {
+  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours, NeighbourSearch&) {
     found[k] = bcc_or_ico(neighbours);
   });
   OtherStructures count;
   for (std::size_t k = 0; k < places.size(); ++k) {
     count.bcc += found[k] == Structure::bcc;
     count.ico += found[k] == Structure::ico;
-    if ((found[k] == Structure::bcc && label_bcc) || (found[k] == Structure::ico && label_ico))
-      sites.structure[places[k]] = found[k];
+    if (!(found[k] == Structure::bcc && label_bcc) && !(found[k] == Structure::ico && label_ico))
+      continue;
+    sites.structure[places[k]] = found[k];
+    sites.site[places[k]] = Site::crystal;
   }
   return count;
 }

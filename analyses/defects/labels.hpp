@@ -28,25 +28,27 @@ struct Sites {
 /// Places of the atoms of a structure.
 std::vector<std::uint32_t> places_of(const Sites& sites, Structure structure);
 
-/// Calls use(k, neighbours) for each of the places k = 0, 1, ... in several threads.
-void for_neighbours(const Sites& sites, const std::vector<std::uint32_t>& places,
-                    const std::function<void(std::size_t k, const Neighbours& found)>& use);
+/// Calls use(k, neighbours, search) for each of the places k = 0, 1, ... in several threads; the search
+/// may be used for more.
+void for_neighbours(
+    const Sites& sites, const std::vector<std::uint32_t>& places,
+    const std::function<void(std::size_t k, const Neighbours& found, NeighbourSearch& search)>& use);
 
 /// Gives structure (and margin) to the atoms, by the kernel or, if `by_search`, from their neighbours.
 void label_structures(Sites& sites, bool by_search);
 
-/// Atoms of no structure that stand in the deformed lattice of a fcc neighbour get the structure that
-/// they have there. Returns how many.
-std::size_t repair(Sites& sites);
+/// What an atom of no structure is in the deformed lattice of a fcc neighbour; other if it does not stand
+/// in one. `found` are its neighbours.
+Labelled repaired(const Sites& sites, const Neighbours& found, NeighbourSearch& search);
 
-/// Of atoms of no structure, how many are bcc and ico; they are labelled so if that is asked for.
+/// Repairs atoms of no structure and tells where the others are. Returns how many were repaired. Throws
+/// InputError, naming the ids if they are known, if two atoms are at the same place.
+std::size_t find_sites(Sites& sites, const FrameAtoms& atoms);
+
+/// Of the bulk defects, how many are bcc and ico; they are labelled so if that is asked for.
 struct OtherStructures {
   std::size_t bcc = 0, ico = 0;
 };
 OtherStructures find_other_structures(Sites& sites, bool label_bcc, bool label_ico);
-
-/// Tells where the atoms of no structure are. Throws InputError, naming the ids if they are known, if
-/// two atoms are at the same place.
-void find_sites(Sites& sites, const FrameAtoms& atoms);
 
 }  // namespace mdana::defects

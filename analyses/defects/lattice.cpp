@@ -86,7 +86,7 @@ std::vector<std::uint32_t> sampled(const Sites& sites, BodyIndex body) {
 
 std::vector<Turn> turns(const Sites& sites, const std::vector<std::uint32_t>& places) {
   std::vector<std::optional<Turn>> found(places.size());
-  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours) {
+  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours, NeighbourSearch&) {
     const auto twelve = nearest_twelve(neighbours);
     const auto map = twelve ? deformation(*twelve) : std::nullopt;
     if (map) found[k] = turn_of(*map);

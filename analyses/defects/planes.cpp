@@ -76,7 +76,7 @@ class Layers {
  public:
   explicit Layers(const Sites& sites) : sites_(sites), places_(places_of(sites, Structure::hcp)) {
     atoms_.resize(places_.size());
-    for_neighbours(sites, places_, [&](std::size_t k, const Neighbours& found) {
+    for_neighbours(sites, places_, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
       atoms_[k] = layer_atom(places_[k], found);
     });
     for (LayerAtom& atom : atoms_)
@@ -113,10 +113,10 @@ class Layers {
   }
 
   void find_kinds() {
-    for_neighbours(sites_, places_, [&](std::size_t k, const Neighbours& found) {
+    for_neighbours(sites_, places_, [&](std::size_t k, const Neighbours& found, NeighbourSearch& search) {
       LayerAtom& atom = atoms_[k];
       if (atom.side[0].size() != 3 || atom.side[1].size() != 3) return;
-      if (!atom.hcp_beside) find_partners(atom, found);
+      if (!atom.hcp_beside) find_partners(atom, found, search);
       atom.kind = atom.hcp_beside ? PlanarFault::intrinsic
                   : atom.partners.empty() ? PlanarFault::twin : PlanarFault::extrinsic;
       atom.sure = atom.kind != PlanarFault::twin || !any_other(atom);
@@ -142,15 +142,14 @@ class Layers {
   }
 
   /// Parallel hcp atoms two layers away, through the neighbours on either side.
-  void find_partners(LayerAtom& atom, const Neighbours& found) const {
-    const auto search = sites_.search();
+  void find_partners(LayerAtom& atom, const Neighbours& found, NeighbourSearch& search) const {
     Neighbours theirs;
     for (const Neighbour& n : found) {
       const double height = n.offset.cast<double>().dot(atom.normal);
       const bool beside = std::find(atom.side[height > 0].begin(), atom.side[height > 0].end(),
                                     n.place) != atom.side[height > 0].end();
       if (!beside) continue;
-      search->about(n.place, theirs);
+      search.about(n.place, theirs);
       for (const Neighbour& next : theirs) {
         const double more = next.offset.cast<double>().dot(atom.normal);
         if (next.d2 > touching * touching || std::abs(height + more) < second_layer) continue;

@@ -11,6 +11,7 @@ namespace {
 constexpr double farthest = 0.45;        ///< of an atom from where the template has it
 constexpr double greatest_sum = 0.5;     ///< of squares: 0.2 for each of twelve
 constexpr double least_distance = 0.25;  ///< to the sum of the best template of another structure
+constexpr int least_near = 12;           ///< atoms within `touching` of one that may be repaired
 constexpr int least_hcp = 2;             ///< hcp neighbours of an atom that may be hcp, too
 
 /// Sum of the squared distances between a template and the atoms that fill it, one each, without what
@@ -52,6 +53,13 @@ Labelled fitted(const Eigen::Matrix3d& map, const Neighbours& all, bool hcp_too)
   return {fcc < hcp ? Structure::fcc : Structure::hcp, static_cast<float>(1 - best / greatest_sum)};
 }
 
+/// Not at the surface, where 9 neighbours at most are so near.
+bool is_inner(const Neighbours& all) {
+  return std::count_if(all.begin(), all.end(), [](const Neighbour& n) {
+           return n.d2 < touching * touching;
+         }) >= least_near;
+}
+
 /// A fault goes on beside the atom: noise alone makes no hcp.
 bool beside_hcp(const Sites& sites, const Neighbours& all) {
   return std::count_if(all.begin(), all.end(), [&](const Neighbour& n) {
@@ -59,43 +67,34 @@ bool beside_hcp(const Sites& sites, const Neighbours& all) {
          }) >= least_hcp;
 }
 
-/// The neighbours of fcc structure, nearest first, three at most.
-std::vector<std::uint32_t> fcc_among(const Sites& sites, Neighbours all) {
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Neighbour& a, const Neighbour& b) { return a.d2 < b.d2; });
-  std::vector<std::uint32_t> found;
-  for (const Neighbour& n : all)
-    if (found.size() < 3 && n.d2 < touching * touching &&
-        sites.structure[n.place] == Structure::fcc)
-      found.push_back(n.place);
-  return found;
+/// The nearest fcc neighbour, or the next one behind another; null if there is none.
+const Neighbour* fcc_neighbour(const Sites& sites, const Neighbours& all, const Neighbour* before) {
+  const Neighbour* next = nullptr;
+  for (const Neighbour& n : all) {
+    if (sites.structure[n.place] != Structure::fcc || !(n.d2 < touching * touching)) continue;
+    if (before && (n.d2 < before->d2 || (n.d2 == before->d2 && &n <= before))) continue;
+    if (!next || n.d2 < next->d2) next = &n;
+  }
+  return next;
 }
 
 }  // namespace
 
-std::size_t repair(Sites& sites) {
-  const auto places = places_of(sites, Structure::other);
-  std::vector<Labelled> labelled(places.size());
-  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& found) {
-    if (found.size() < 12 || found.size() > 60) return;
-    const auto search = sites.search();
-    Neighbours theirs;
-    for (const std::uint32_t place : fcc_among(sites, found)) {
-      search->about(place, theirs);
-      const auto twelve = nearest_twelve(theirs);
-      const auto map = twelve ? deformation(*twelve) : std::nullopt;
-      if (map) labelled[k] = fitted(*map, found, beside_hcp(sites, found));
-      if (labelled[k].structure != Structure::other) return;
-    }
-  });
-  std::size_t repaired = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (labelled[k].structure == Structure::other) continue;
-    ++repaired;
-    sites.structure[places[k]] = labelled[k].structure;
-    if (!sites.margin.empty()) sites.margin[places[k]] = labelled[k].margin;
+Labelled repaired(const Sites& sites, const Neighbours& found, NeighbourSearch& search) {
+  if (found.size() < 12 || found.size() > 60 || !is_inner(found)) return {};
+  Neighbours theirs;
+  const Neighbour* fcc = nullptr;
+  for (int tries = 0; tries < 3; ++tries) {
+    fcc = fcc_neighbour(sites, found, fcc);
+    if (!fcc) break;
+    search.about(fcc->place, theirs);
+    const auto twelve = nearest_twelve(theirs);
+    const auto map = twelve ? deformation(*twelve) : std::nullopt;
+    if (!map) continue;
+    const Labelled labelled = fitted(*map, found, beside_hcp(sites, found));
+    if (labelled.structure != Structure::other) return labelled;
   }
-  return repaired;
+  return {};
 }
 
 }  // namespace mdana::defects

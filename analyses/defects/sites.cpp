@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "analyses/defects/labels.hpp"
@@ -51,28 +54,43 @@ bool beside_surface(const Sites& sites, const Neighbours& all) {
   return false;
 }
 
+/// Incomplete atoms beside the surface belong to it.
+void spread_surface(Sites& sites, const std::vector<std::uint32_t>& undecided) {
+  std::vector<char> beside(undecided.size());
+  for_neighbours(sites, undecided, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
+    beside[k] = beside_surface(sites, found);
+  });
+  for (std::size_t k = 0; k < undecided.size(); ++k)
+    if (beside[k]) sites.site[undecided[k]] = Site::surface;
+}
+
 }  // namespace
 
-void find_sites(Sites& sites, const FrameAtoms& atoms) {
+std::size_t find_sites(Sites& sites, const FrameAtoms& atoms) {
   sites.site.assign(sites.structure.size(), Site::crystal);
   const auto places = places_of(sites, Structure::other);
   std::vector<std::uint32_t> undecided;
   std::vector<Surroundings> about(places.size());
-  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& found) {
+  std::vector<Labelled> labelled(places.size());
+  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& found, NeighbourSearch& search) {
     about[k] = surroundings(sites, atoms, places[k], found);
+    labelled[k] = repaired(sites, found, search);
   });
+  std::size_t repaired = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
+    if (labelled[k].structure != Structure::other) {
+      ++repaired;
+      sites.structure[places[k]] = labelled[k].structure;
+      if (!sites.margin.empty()) sites.margin[places[k]] = labelled[k].margin;
+      continue;
+    }
     Site& site = sites.site[places[k]];
     site = about[k].contact ? Site::contact
                             : about[k].exposed ? Site::surface : Site::bulk_defect;
     if (site == Site::bulk_defect && about[k].incomplete) undecided.push_back(places[k]);
   }
-  std::vector<char> beside(undecided.size());
-  for_neighbours(sites, undecided, [&](std::size_t k, const Neighbours& found) {
-    beside[k] = beside_surface(sites, found);
-  });
-  for (std::size_t k = 0; k < undecided.size(); ++k)
-    if (beside[k]) sites.site[undecided[k]] = Site::surface;
+  spread_surface(sites, undecided);
+  return repaired;
 }
 
 }  // namespace mdana::defects

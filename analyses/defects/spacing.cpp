@@ -33,7 +33,9 @@ class NearestAtoms {
   /// Looks at every `stride`-th atom and keeps `most`.
   void look(std::size_t stride, std::size_t most) {
     for (std::size_t i = 0; i < atoms_.size(); i += stride) {
-      const double dx = atoms_.x[i] - x_, dy = atoms_.y[i] - y_, dz = atoms_.z[i] - z_;
+      const double dx = atoms_.x[i] - x_;
+      if (dx * dx > limit_) continue;
+      const double dy = atoms_.y[i] - y_, dz = atoms_.z[i] - z_;
       const double d2 = dx * dx + dy * dy + dz * dz;
       if (d2 <= limit_) keep(d2, i, most);
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -104,7 +103,7 @@ std::vector<char> borders(const Sites& sites, const FrameAtoms& atoms) {
     if (!seeds[p] && both.contains(position(sites, atoms, p))) doubtful.push_back(p);
   }
   std::vector<char> touches(doubtful.size());
-  for_neighbours(sites, doubtful, [&](std::size_t k, const Neighbours& found) {
+  for_neighbours(sites, doubtful, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
     touches[k] = std::ranges::any_of(found, [&](const Neighbour& n) {
       return n.d2 < touching * touching && sites.body[n.place] != sites.body[doubtful[k]];
     });
@@ -160,19 +159,29 @@ BodySurfaces find_surfaces(const Sites& sites, const FrameAtoms& atoms) {
 namespace mdana {
 
 double SurfaceMesh::area() const {
-  return std::accumulate(parts.begin(), parts.end(), 0.0, [](double sum, const SurfacePart& p) { return sum + p.area; });
+  double sum = 0;
+  for (const SurfacePart& p : parts) sum += p.volume < 0 ? 0 : p.area;
+  return sum;
 }
 
 double SurfaceMesh::volume() const {
-  return std::accumulate(parts.begin(), parts.end(), 0.0, [](double sum, const SurfacePart& p) { return sum + p.volume; });
-}
-
-double SurfaceMesh::radius(double spacing) const {
-  return std::cbrt(0.75 / std::numbers::pi * std::max(0.0, volume())) + std::sqrt(1.0 / 6) * spacing;
+  double sum = 0;
+  for (const SurfacePart& p : parts) sum += std::max(0.0, p.volume);
+  return sum;
 }
 
 std::size_t SurfaceMesh::voids() const {
   return static_cast<std::size_t>(std::ranges::count_if(parts, [](const SurfacePart& p) { return p.volume < 0; }));
+}
+
+double SurfaceMesh::void_volume() const {
+  double sum = 0;
+  for (const SurfacePart& p : parts) sum += std::max(0.0, -p.volume);
+  return sum;
+}
+
+double SurfaceMesh::radius(double spacing) const {
+  return volume() > 0 ? std::cbrt(0.75 / std::numbers::pi * volume()) + spacing / std::sqrt(6.0) : 0;
 }
 
 }  // namespace mdana

@@ -13,7 +13,7 @@ namespace mdana::defects {
 
 /// A tetrahedron between atoms is filled if its circumradius is less [spacings]: the holes of fcc and
 /// hcp have 0.61 and 0.71, a vacancy 1, the outside more.
-inline constexpr double filled_below = 0.92;
+inline constexpr double filled_below = 0.9;
 
 /// Atoms of which some, the seeds, are of interest, and all others that decide how the seeds are
 /// connected: all within 2 filled_below of a seed. A tetrahedron with a seed and a circumradius below

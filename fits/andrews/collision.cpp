@@ -61,7 +61,8 @@ Collision collide_andrews(const CollisionInput& input, const CollisionSettings& 
   if (settings.sensitivities) c.sensitivities = sensitivities(input, compression);
   if (settings.trajectory)
     c.trajectory = branch_motion(andrews_law, unloading(andrews_law),
-                                 {i.radius, i.modulus, 0, input.values[0], 0, c.delta_max}, i.mass);
+                                 {i.radius, i.modulus, 0, input.values[0], 0, c.delta_max}, i.mass,
+                                settings.times);
   return c;
 }
 

@@ -87,7 +87,8 @@ Collision collide_dmt(const CollisionInput& input, const CollisionSettings& sett
   if (settings.sensitivities) c.sensitivities = sensitivities(input, c, d, k * d, k_by_gamma * d);
   if (settings.trajectory)
     c.trajectory = branch_motion(dmt_law, dmt_law,
-                                 {i.radius, i.modulus, input.values[0], 0, 0, c.delta_max}, i.mass);
+                                 {i.radius, i.modulus, input.values[0], 0, 0, c.delta_max}, i.mass,
+                                settings.times);
   return c;
 }
 

@@ -90,7 +90,7 @@ Collision collide_thornton(const CollisionInput& input, const CollisionSettings&
   if (settings.trajectory && loss == 0)
     c.trajectory = branch_motion(
         thornton_law, unloading(thornton_law),
-        {i.radius, i.modulus, 0, compression.yield_pressure / 1.6, 0, c.delta_max}, i.mass);
+        {i.radius, i.modulus, 0, compression.yield_pressure / 1.6, 0, c.delta_max}, i.mass, settings.times);
   if (loss > 0) add_adhesion(c, loss);
   if (settings.sensitivities) c.sensitivities = sensitivities(input, compression, loss);
   return c;

@@ -9,6 +9,7 @@
 #include "readers/input_error.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/collision_summary.hpp"
+#include "reports/compressed.hpp"
 #include "reports/exchange.hpp"
 #include "reports/overlays.hpp"
 #include "reports/plasticity.hpp"
@@ -50,6 +51,7 @@ class Collision {
     document.sweep(measured_.swept, run_.format);
     tell_bodies(document);
     add_force(document, curve_, source_, radii_);
+    tell_time_of_compression(document);
     add_restitution(document, restitution_);
     add_overlays(document, table, curve_, elastic(material));
     tell_plasticity(document, material);
@@ -59,7 +61,7 @@ class Collision {
     warn_of_force(document, curve_);
   }
 
-  CollisionOutcome outcome() const {
+  SeriesOutcome outcome() const {
     return {run_.dump.string(), {}, curve_.outcome, restitution_.e, restitution_.e_total,
             restitution_.speed_before};
   }
@@ -71,6 +73,14 @@ class Collision {
     document.number("mass.body2", {second.mass, {}, dimension::mass});
     document.number("radius.body1", {radii_.value[0], {}, dimension::length});
     document.number("radius.body2", {radii_.value[1], {}, dimension::length});
+  }
+
+  void tell_time_of_compression(Document& document) const {
+    const MaximumCompression m = maximum_compression(approach_by_membership(measured_.motion), radii_.sum());
+    if (m.time_reason.empty())
+      document.number("t_max", m.time);
+    else
+      document.left_out("t_max", m.time_reason);
   }
 
   Table all_columns() const {
@@ -173,7 +183,7 @@ Wishes wishes(const Values& values) {
 struct Told {
   Document document;
   Table table;
-  CollisionOutcome outcome;
+  SeriesOutcome outcome;
 };
 
 Told analyse(const Values& values, const Wishes& wishes) {
@@ -188,7 +198,7 @@ Told analyse(const Values& values, const Wishes& wishes) {
   return told;
 }
 
-std::string brief(const CollisionOutcome& outcome, Units units) {
+std::string brief(const SeriesOutcome& outcome, Units units) {
   if (!outcome.failure.empty()) return "failed";
   const bool known = !std::isnan(outcome.e.value);
   return fmt::format("{}{}", name(*outcome.outcome),
@@ -201,6 +211,7 @@ class Series {
   void add(const Values& values, const Wishes& wishes) {
     try {
       const Told told = analyse(values, wishes);
+      document_.set_units(told.document.units());
       runs_.push_back(told.document.content());
       outcomes_.push_back(told.outcome);
       document_.line(told.outcome.dump, brief(told.outcome, told.document.units()));
@@ -232,7 +243,7 @@ class Series {
   static constexpr Value unknown_{std::numeric_limits<double>::quiet_NaN(), {}, dimension::none};
   Document document_{"collision"};
   nlohmann::ordered_json runs_ = nlohmann::ordered_json::array();
-  std::vector<CollisionOutcome> outcomes_;
+  std::vector<SeriesOutcome> outcomes_;
   bool failed_ = false, damaged_ = false;
 };
 

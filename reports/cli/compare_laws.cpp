@@ -119,7 +119,7 @@ int run_command(const Values& values) {
 extern const Command compare_laws_command;
 const Command compare_laws_command{
     "compare-laws",
-    "TABLE...",
+    "INPUT...",
     "all contact laws on the same collisions: AIC, BIC, cross-validation, where each fails",
     "Fits every law whose constants are known to the tables of fit-contact, with what is usually free in it and not\n"
     "given, and tells of each: number of free parameters k, chi2, AIC, BIC, the root mean square residual of a\n"

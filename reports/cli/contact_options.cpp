@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/cli/signals.hpp"
+
 namespace mdana::cli {
 namespace {
 
@@ -27,7 +29,10 @@ std::vector<NamedNumber> constants_option(const Values& values) {
 }
 
 void add_contact_fit_options(Options& options) {
+  add_threads_option(options);
   options.add_options()                                                                          //
+      ("motion", po::bool_switch(),
+       "of dumps and HDF5 results fit delta(t), v(t) and F(t) of the first compression and return, not e")                                                                          //
       ("parameter,p", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
        "a parameter that no column gives, the same for all collisions")                          //
       ("table2", po::bool_switch(),
@@ -41,11 +46,17 @@ void add_contact_fit_options(Options& options) {
       ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
 }
 
-Observations observations_option(const Values& values, std::span<const std::string> free) {
+Observations observations_option(const Values& values, std::span<const std::string> free, Wanted wanted) {
   std::vector<std::string> names{values["input"].as<std::string>()};
   if (values.count("more"))
     for (const std::string& name : values["more"].as<std::vector<std::string>>()) names.push_back(name);
-  Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()));
+  ObservationSettings settings{values["motion"].as<bool>() ? Wanted::motion : wanted, {}, {}};
+  for (const NamedNumber& n : constants_option(values))
+    if (n.name == "R") settings.radius = n.value;
+  settings.sweeping.threads = threads_option(values);
+  settings.sweeping.stop = &stop_signal();
+  settings.sweeping.progress = progress_printer();
+  Observations all = read_observations(std::vector<std::filesystem::path>(names.begin(), names.end()), settings);
   if (!values["table2"].as<bool>()) return all;
   std::vector<std::string> leave(free.begin(), free.end());
   for (const NamedNumber& n : constants_option(values)) leave.push_back(n.name);

@@ -25,6 +25,7 @@ DefectSettings defect_settings(const Values& values) {
   }
   if (values.count("spacing")) settings.spacing = positive(values["spacing"].as<double>(), "spacing");
   settings.by_cgal = choice(values, "neighbours", neighbour_searches) == 1;
+  settings.surface = !values["no-surface"].as<bool>();
   settings.labels = values.count("dump") > 0;
   settings.centro_symmetry = values["csp"].as<bool>();
   settings.coordination = values["coordination"].as<bool>();
@@ -93,6 +94,8 @@ void add_options(Options& options) {
        "column c_mdana_coordination in --dump: atoms within 1.2071 spacings")                    //
       ("label", po::value<std::vector<std::string>>()->composing()->value_name("LIST"),
        "label these structures besides fcc and hcp: bcc, ico (they are counted in any case)")    //
+      ("no-surface", po::bool_switch(),
+       "leave out area, volume, radius and voids of the bodies, which take most of the time")    //
       ("spacing", po::value<double>()->value_name("LENGTH"),
        "distance of nearest neighbours (default: found in each frame)")                          //
       ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),
@@ -131,11 +134,11 @@ extern const Command defects_command;
 const Command defects_command{
     "defects",
     "DUMP",
-    "crystal structure of the atoms, stacking faults, twins, and where they begin",
+    "crystal structure of the atoms, stacking faults, twins, surfaces, and where defects begin",
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice. --frames takes all (default), last, or A:B[:K].",
+    "of each body's lattice; its surface and voids. --frames takes all (default), last, or A:B[:K].",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
     "  mdana defects run/dump.lammpstrj.gz --stride 10 -o defects.csv",

@@ -130,7 +130,8 @@ int run_command(const Values& values) {
   const std::vector<std::string> names = names_option(values, "free");
   ContactFitSettings settings = contact_settings(values);
   settings.intervals = intervals_of(values);
-  const Observations observations = observations_option(values, names);
+  const Wanted wanted = law.name == "andrews" ? Wanted::compression : Wanted::restitution;
+  const Observations observations = observations_option(values, names, wanted);
   set_free(settings, values, law, names, observations);
   const ContactFit fit = fit_contact(law, observations.seen, settings);
 
@@ -147,17 +148,23 @@ int run_command(const Values& values) {
 extern const Command fit_contact_command;
 const Command fit_contact_command{
     "fit-contact",
-    "TABLE...",
+    "INPUT...",
     "parameters of a contact law from e(v), sticking, delta_max, t_max",
     "Fits a law of collisions to collisions that were seen: tables (CSV) with the columns R, v, e, sigma (standard\n"
     "error of e) and, where needed, outcome (stick or bounce; e = 0 or empty: stick), delta_max, delta_max_error,\n"
     "t_max, t_max_error, m, E, gamma, nu, spacing or any parameter of the laws; # begins a comment. Or results of\n"
-    "mdana collision (JSON or HDF5). The table (-o FILE.csv) has what was seen, the fit and the residuals. If the\n"
+    "mdana collision (e; for the law andrews delta_max and t_max) and of mdana compress (delta_max and t_max, their\n"
+    "errors by the scatter of repeated runs), as JSON or HDF5. Or dumps, measured as mdana collision does with what\n"
+    "their scenes say and R of -p. With --motion delta(t), v(t) and F(t) of dumps and of HDF5 results are fitted\n"
+    "instead; tables of them (time, delta, v, F, as mdana force writes) always are. The table (-o FILE.csv) has what was seen, the fit and the residuals. If the\n"
     "data do not determine what is asked, the exit code is 4 and the reason says what they determine.",
     "  mdana fit-contact --law stress runs.csv --table2\n"
     "  mdana fit-contact --law krijt runs.csv --table2 --per-radius T_vis --loss huber\n"
     "  mdana fit-contact --law jkr runs.csv -p E=65.5 --free gamma --intervals --bootstrap 200 --json\n"
     "  mdana fit-contact --law andrews aggregates.csv --free E,Y --bound Y=1e4:1e7\n"
+    "  mdana fit-contact --law andrews compress-v5.json compress-v10.json compress-v20.json\n"
+    "  mdana fit-contact --law jkr adhesive-small/dump.lammpstrj.gz --motion --free gamma,E\n"
+    "  mdana fit-contact --law viscous-hertz force.csv -p R=10.4 -p m=4200 -p nu=0.25 --free T_vis,E\n"
     "  mdana fit-contact --law jkr a.json b.json -p m=14434147 --free gamma,E --prior E=65.5+-3",
     add_options,
     run_command};

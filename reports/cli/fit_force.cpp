@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,7 +97,8 @@ ForceData data_of(const ForceCurve& curve, const Radii& radii) {
 void tell(Document& document, const ForceLaw& law, const ForceFit& f, const ForceFitSettings& s) {
   document.text("law", std::string(law.name));
   for (const ForceEstimate& e : f.parameters)
-    document.number("parameters." + e.name, {e.value, e.error, e.dimension});
+    document.number("parameters." + e.name,
+                    {e.value, std::isfinite(e.error) ? std::optional(e.error) : std::nullopt, e.dimension});
   document.text("part", std::string(name(s.part)));
   document.json("points", f.points.size());
   document.line("points", fmt::format("{}", f.points.size()));
@@ -174,6 +176,7 @@ const Command fit_force_command{
     "Fits a law of the force between two bodies to F(delta) of a dump: E*, gamma and what else the law\n"
     "has, together with R or with an offset of delta. Errors are those of the data; compare laws, parts\n"
     "and ranges to see what the choice does. The table (-o FILE.csv) has the fitted points.",
+    "  mdana fit-force --law hertz sample-data/hertz-tiny/dump.lammpstrj.gz\n"
     "  mdana fit-force --law jkr adhesive-small/dump.lammpstrj.gz\n"
     "  mdana fit-force --law jkr --part loop --free E,R -p gamma=3.17 dump.lammpstrj\n"
     "  mdana fit-force --law dmt --free E,gamma,offset --radius 10 dump.lammpstrj --json",

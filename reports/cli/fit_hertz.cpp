@@ -9,7 +9,7 @@
 #include "reports/cli/command.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
-#include "reports/pooled.hpp"
+#include "reports/hertz_sizes.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 2> method_names{"force", "linear"};
 constexpr std::array<std::string_view, 2> phase_names{"loading", "all"};
 constexpr std::array<std::string_view, 3> loss_names{"none", "huber", "cauchy"};
 constexpr std::array<std::string_view, 2> weight_names{"equal", "errors"};
+constexpr std::array<std::string_view, 2> row_names{"run", "size"};
 
 void add_options(Options& options) {
   const HertzSettings defaults;
@@ -38,7 +39,9 @@ void add_options(Options& options) {
       ("loss", po::value<std::string>()->default_value("none")->value_name("NAME"),
        "damp outliers: none, huber or cauchy")                                                 //
       ("weights", po::value<std::string>()->default_value("equal")->value_name("NAME"),
-       "weigh points alike (equal) or by the errors of their forces (errors)");
+       "weigh points alike (equal) or by the errors of their forces (errors)")                 //
+      ("rows", po::value<std::string>()->default_value("run")->value_name("NAME"),
+       "of the table of several dumps: a run or a size (bodies whose atoms differ by 1 % at most)");
   add_output_options(options, true);
 }
 
@@ -83,7 +86,7 @@ Told analyse(const RunOptions& options, const SweepOptions& sweeping, const Hert
   return told;
 }
 
-/// Fits of several dumps: each its own, and what they say together.
+/// Fits of several dumps: each its own, and what those of one size say together.
 class Series {
  public:
   void add(const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
@@ -93,14 +96,14 @@ class Series {
       runs_.push_back(told.document.content());
       for (const std::string& w : told.document.warnings()) document_.warn(dump + ": " + w);
       damaged_ = damaged_ || told.document.damaged();
-      const HertzFit& fit = told.hertz.fit;
       add_row(told.atoms, told.hertz);
-      document_.line(dump, fit.fit.usable ? fmt::format("E_star {}, R {}", to_text(told.hertz.modulus, told.document.units()),
-                                                        to_text(told.hertz.radius, told.document.units()))
-                                          : "not usable");
-      if (!fit.fit.usable) return;
-      moduli_.push_back(told.hertz.modulus);
-      radii_.push_back(told.hertz.radius);
+      const Units units = told.document.units();
+      document_.set_units(units);
+      const bool usable = told.hertz.fit.fit.usable;
+      document_.line(dump, usable ? fmt::format("E_star {}, R {}", to_text(told.hertz.modulus, units),
+                                                to_text(told.hertz.radius, units))
+                                  : "not usable");
+      if (usable) fitted_.push_back({told.atoms, told.hertz.modulus, told.hertz.radius});
     } catch (const InputError& error) {
       runs_.push_back({{"dump", dump}, {"failure", error.what()}});
       document_.line(dump, "failed");
@@ -110,14 +113,14 @@ class Series {
   }
 
   int emit(const Values& values) {
+    const std::vector<HertzSize> sizes = pool_by_size(fitted_);
     document_.json("runs", std::move(runs_));
-    document_.json("pooled_runs", moduli_.size());
-    if (!moduli_.empty()) {
-      add_pooled("E_star", pool(moduli_));
-      add_pooled("R", pool(radii_));
-    }
-    const int code = cli::emit(values, document_, &table_);
-    return failed_ ? failed : damaged_ ? damaged_input : moduli_.empty() ? not_converged : code;
+    document_.json("pooled_runs", fitted_.size());
+    add_sizes(document_, sizes);
+    const bool by_size = choice(values, "rows", row_names) == 1;
+    const Table table = by_size ? size_table(sizes) : table_;
+    const int code = cli::emit(values, document_, &table);
+    return failed_ ? failed : damaged_ ? damaged_input : fitted_.empty() ? not_converged : code;
   }
 
  private:
@@ -127,16 +130,9 @@ class Series {
                               h.fit.fit.usable ? 1.0 : 0.0});
   }
 
-  void add_pooled(const std::string& name, const Pooled& pooled) {
-    document_.number(name, pooled.value,
-                     {{"within", pooled.within}, {"between", pooled.between}, {"spread", pooled.spread}});
-    document_.line(name + " of runs", fmt::format("{:.3g} within and {:.3g} between runs, spread {:.3g}",
-                                                  pooled.within, pooled.between, pooled.spread));
-  }
-
   Document document_{"fit-hertz"};
   nlohmann::ordered_json runs_ = nlohmann::ordered_json::array();
-  std::vector<Value> moduli_, radii_;
+  std::vector<HertzRun> fitted_;
   Table table_{{{"run", dimension::none},
                 {"N", dimension::none},
                 {"R", dimension::length},
@@ -153,6 +149,7 @@ int run_command(const Values& values) {
   RunOptions options = run_options(values);
   const SweepOptions sweeping = sweep_options(values);
   const HertzSettings wanted = settings(values);
+  choice(values, "rows", row_names);
   if (!values.count("more")) {
     const Told told = analyse(options, sweeping, wanted);
     const int code = emit(values, told.document, &told.points);
@@ -178,10 +175,12 @@ const Command fit_hertz_command{
     "phase does to E* and R: that spread is the real error of E*, and is what 'error' means in the\n"
     "output. Of unequal bodies F(X) tells E* sqrt(R*) and R1 + R2 = 2R; E* needs their ratio by --radius.\n"
     "The table (-o FILE.csv) has the fitted points. Of several dumps, as of other orientations, each is\n"
-    "fitted, E* and R are pooled with their spread within and between runs, and the table has a run a row.",
-    "  mdana fit-hertz hertz-small/dump.lammpstrj.gz\n"
+    "fitted, E* and R of equal bodies are pooled with their spread within and between runs, and the table has a\n"
+    "run or a size a row (as Table II of Yoshida, Kokubo & Tanaka 2024).",
+    "  mdana fit-hertz sample-data/hertz-tiny/dump.lammpstrj.gz\n"
     "  mdana fit-hertz hertz-small/dump.lammpstrj.gz --method linear --min-force-fraction 0.1\n"
     "  mdana fit-hertz run-1/dump.lammpstrj.gz run-2/dump.lammpstrj.gz run-3/dump.lammpstrj.gz\n"
+    "  mdana fit-hertz r8-*/dump.lammpstrj.gz r10-*/dump.lammpstrj.gz --rows size -o sizes.csv\n"
     "  mdana fit-hertz dump.lammpstrj --units lj --timestep 0.0078125 --json -o fit.csv",
     add_options,
     run_command};

@@ -90,6 +90,15 @@ void add_ability(Document& document, const std::string& what, const std::string&
   document.left_out(what, obstacle);
 }
 
+/// Aggregates have contacts of grains, and nothing that asks for a lattice or a potential.
+void add_aggregate_abilities(Document& document, const Run& run, std::string obstacle) {
+  if (obstacle.empty() && !run.first.has_column("radius") && !run.scene.grains.radius)
+    obstacle = "no column 'radius', and the scene does not state [grains] radius";
+  add_ability(document, "contact network", obstacle);
+  add_ability(document, "contact radius, Hertz fit, surface energy, lattice defects",
+              "the scene is of aggregates: they have no crystal lattice and no potential between atoms");
+}
+
 /// What each command can do with the dump, or why it cannot.
 void add_abilities(Document& document, const Run& run) {
   const auto add = [&](const std::string& what, const std::string& obstacle) {
@@ -111,6 +120,8 @@ void add_abilities(Document& document, const Run& run) {
   } catch (const InputError& error) {
     if (layer.empty()) layer = error.what();
   }
+  const bool aggregate = run.scene.interaction == Interaction::aggregate;
+  if (aggregate) return add_aggregate_abilities(document, run, bodies);
   add("contact radius", layer);
   const bool adhesive = run.scene.interaction == Interaction::adhesive;
   add("Hertz fit", force.empty() && adhesive ? "the scene is adhesive" : force);

@@ -66,6 +66,8 @@ int run_command(const Values& values) {
 
   for (const StudyRun& entry : study.runs)
     if (!entry.result) std::cerr << fmt::format("{}: failed: {}\n", entry.name, entry.failure);
+  for (const std::string& name : study.aggregates)
+    std::cerr << fmt::format("{}: left out: {}\n", name, aggregates_left_out);
   print(values["json"].as<bool>() ? json : (place / "index.html").string() + "\n");
   return exit_code(study);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "analyses/motion.hpp"
 #include "analyses/relative_motion.hpp"
 #include "tests/contracts/catalogue.hpp"
@@ -187,6 +190,80 @@ TEST_F(SweepOfDump, MovedLastDigitsLeaveTheMasses) {
   const SweepResult plain = motion_of(dump, Masses::from_column(""), {});
   EXPECT_EQ(moved.tables[0].column("mass1")[0], plain.tables[0].column("mass1")[0]);
   EXPECT_NO_THROW(relative_motion(moved.tables[0], moved.steps, {}));
+}
+
+/// Notes which atoms it is shown, and the order in which its products are given on.
+class Witness final : public FrameAnalysis {
+ public:
+  explicit Witness(std::vector<std::int64_t>& given) : given_(given) {}
+  Needs needs() const override { return {{"id", "x", "y", "z"}, false, /*whole_frame=*/true}; }
+  std::vector<ColumnSpec> columns() const override {
+    return {{"atoms", dimension::none}, {"sorted", dimension::none}};
+  }
+  std::unique_ptr<Product> look(const FrameHeader& header, std::shared_ptr<const FrameAtoms> atoms,
+                                std::size_t, std::span<double> row) const override {
+    row[0] = static_cast<double>(atoms->size());
+    row[1] = std::is_sorted(atoms->id.begin(), atoms->id.end());
+    return std::make_unique<Note>(header.step, given_);
+  }
+
+ private:
+  struct Note final : Product {
+    Note(std::int64_t of_step, std::vector<std::int64_t>& to) : step(of_step), given(to) {}
+    void give() override { given.push_back(step); }
+    std::int64_t step;
+    std::vector<std::int64_t>& given;
+  };
+  std::vector<std::int64_t>& given_;
+};
+
+class SweepOfWholeFrames : public SweepOfDump {
+ protected:
+  SweepResult watch(const std::string& text, std::size_t threads, bool after_motion = false) {
+    const auto dump = folder_.write("dump", text);
+    std::vector<std::unique_ptr<Analysis>> analyses;
+    if (after_motion) analyses = test::whole_catalogue({test::made_up_scene(), first_header(dump)});
+    analyses.push_back(std::make_unique<Witness>(given_));
+    SweepOptions options;
+    options.threads = threads;
+    given_.clear();
+    return sweep(dump, find_bodies(dump, first_header(dump), "type"), Masses::from_column("the dump"),
+                 analyses, options);
+  }
+  std::vector<std::int64_t> given_;
+};
+
+TEST_F(SweepOfWholeFrames, SeeAllAtomsSortedAndGiveInOrder) {
+  for (const std::size_t bodies : {std::size_t{20}, AtomBlock::capacity}) {
+    auto frames = made_up_collision(bodies == 20 ? 9 : 2, bodies);
+    std::mt19937_64 random(2);
+    for (auto& frame : frames) std::shuffle(frame.atoms.begin(), frame.atoms.end(), random);
+    for (const std::size_t threads : {1, 3})
+      for (const bool after_motion : {false, true}) {
+        const SweepResult result = watch(dump_text(frames), threads, after_motion);
+        EXPECT_EQ(given_, result.steps);
+        EXPECT_EQ(result.steps.size(), frames.size());
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+          EXPECT_EQ(result.tables.back().column("atoms")[k], 2.0 * static_cast<double>(bodies));
+          EXPECT_EQ(result.tables.back().column("sorted")[k], 1);
+        }
+      }
+  }
+}
+
+// A frame that is dropped because of what follows it has no product either.
+TEST_F(SweepOfWholeFrames, DamagedFramesGiveNothing) {
+  auto frames = made_up_collision(4, 20);
+  frames[2].atoms.pop_back();
+  const std::string text = dump_text(frames);
+  for (const std::size_t threads : {1, 3}) {
+    EXPECT_EQ(watch(text, threads).steps.size(), 4u);
+    const std::size_t last = text.rfind("ITEM: TIMESTEP");
+    const SweepResult cut = watch(text.substr(0, last) + "nonsense" + text.substr(last), threads);
+    EXPECT_FALSE(cut.damage.empty());
+    EXPECT_EQ(cut.steps, (Steps{0, 100}));
+    EXPECT_EQ(given_, cut.steps);
+  }
 }
 
 }  // namespace

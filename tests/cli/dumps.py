@@ -180,3 +180,59 @@ def hertz_bounce(modulus=60.0, radius=5.0, depth=1.0, frames=41, units="lj"):
         force = 4 / 3 * modulus * math.sqrt(radius / 2) * max(delta, 0.0)**1.5
         result.append(two_cubes(k, 0.25 * k, 2 * radius - delta, 0.0, force, units=units))
     return result
+
+
+def andrews_force(delta, top, modulus, strength, reduced):
+    """Force of two elastic, perfectly plastic spheres (Arakawa et al. 2024, eqs 23, 26, 68): on loading up to `top`, and
+    below `top` on the return."""
+    yield_delta = (math.pi / 2 * strength / modulus)**2 * reduced
+    if delta <= 0:
+        return 0.0
+    if delta >= top or top <= yield_delta:
+        if delta <= yield_delta:
+            return 4 / 3 * modulus * math.sqrt(reduced) * delta**1.5
+        return math.pi * reduced * strength * (delta - yield_delta / 3)
+    end = top - yield_delta
+    x = max(delta - end, 0.0)
+    return 2 * modulus * math.sqrt(reduced) * (end * math.sqrt(x) + 2 / 3 * x**1.5)
+
+
+def andrews_path(modulus, strength, reduced, mass, speed, dt, before, last, substeps=20):
+    """(delta, d delta/dt) every dt from -before*dt on, up to `last` frames; delta = 0 falls on no frame. Runge-Kutta of
+    fourth order."""
+    shift = 0.37 * dt
+    path = [(speed * (k * dt - shift), speed) for k in range(1 - before, 1)]
+    delta, v, top, h = path[-1][0], speed, 0.0, dt / substeps
+    while len(path) < last:
+        for _ in range(substeps):
+            def rate(x, u):
+                return u, -andrews_force(x, top if u < 0 else max(top, x), modulus, strength, reduced) / mass
+            a = rate(delta, v)
+            b = rate(delta + h / 2 * a[0], v + h / 2 * a[1])
+            c = rate(delta + h / 2 * b[0], v + h / 2 * b[1])
+            d = rate(delta + h * c[0], v + h * c[1])
+            delta += h / 6 * (a[0] + 2 * b[0] + 2 * c[0] + d[0])
+            v += h / 6 * (a[1] + 2 * b[1] + 2 * c[1] + d[1])
+            top = max(top, delta)
+        path.append((delta, v))
+    return path
+
+
+def rigid_aggregates(path, dt, radius, grains, mass, scale=(1.0, 1.0, 1.0), units="lj", reach=0.8, seed=1):
+    """Two aggregates of `grains` grains at random places within reach*radius, the second the mirror image of the first,
+    which move as a whole: X = 2 radius - delta. `mass` of an aggregate. `scale` multiplies masses, lengths and times."""
+    random = np.random.default_rng(seed)
+    places = random.normal(size=(grains, 3))
+    places *= (reach * radius * random.random((grains, 1))**(1 / 3)) / np.linalg.norm(places, axis=1, keepdims=True)
+    places -= places.mean(axis=0)
+    m, length, time = scale
+    frames = []
+    for k, (delta, v) in enumerate(path):
+        half, rows = radius - delta / 2, []
+        for body, sign in ((1, -1), (2, 1)):
+            for i, place in enumerate(places):
+                x = sign * (half * DIRECTION - place)
+                u = -sign * v / 2 * DIRECTION
+                rows.append([grains * (body - 1) + i + 1, body, mass / grains * m, *(x * length), *(u * length / time)])
+        frames.append(Frame(k, k * dt * time, "id type mass x y z vx vy vz".split(), np.array(rows), units))
+    return frames

@@ -50,10 +50,19 @@ class Defects(Case):
             for kinds, area in ((["intrinsic", "extrinsic"], "fault_area"), (["twin"], "twin_area")):
                 of_planes = sum(p["area"]["value"] for p in frame["planes"] if p["kind"] in kinds)
                 self.assertAlmostEqual(of_planes, frame[area]["value"], 6)
-            self.assertIsNone(frame["surface"])
+            self.assert_surface(frame["surface"], counts["surface"])
         self.assertLess(frames[0]["counts"]["contact"], 10)  # about to touch
         self.assertGreater(max(f["counts"]["contact"] for f in frames), 50)
-        self.assertIn("surface", [entry["what"] for entry in document["left_out"]])
+        bare = self.document("defects", SAMPLE, "--frames", ":1", "--no-surface")
+        self.assertIn("surface", [entry["what"] for entry in bare["left_out"]])
+        self.assertEqual(bare["frames"], [frames[0] | {"surface": None}])
+
+    def assert_surface(self, surface, atoms):
+        for part in ("area", "volume"):
+            self.assertAlmostEqual(surface[part]["value"], sum(b[part]["value"] for b in surface["bodies"]), 6)
+        self.assertAlmostEqual(surface["radius"]["value"], 5, delta=0.2)  # as the balls were cut
+        self.assertLess(0.5 * atoms, surface["area"]["value"])  # an atom covers 0.87 spacings^2 of 1.1 at least
+        self.assertEqual([b["voids"] for b in surface["bodies"]], [0, 0])
 
     def test_threads_and_order_change_nothing(self):
         def numbers(*more):
@@ -139,6 +148,14 @@ class Defects(Case):
                  for b in (0, 0.5)]
         document = self.document("defects", self.write(dump_of([[atoms]])), "--bodies", "type")
         self.assertTrue(any("bcc" in w for w in document["warnings"]), document["warnings"])
+
+    def test_amorphous_bodies_are_told(self):
+        import random
+
+        random.seed(1)
+        atoms = [tuple(c + random.gauss(0, 0.25) for c in p) for p in fcc(6)]
+        document = self.document("defects", self.write(dump_of([[atoms]])), "--bodies", "type")
+        self.assertTrue(any("amorphous" in w for w in document["warnings"]), document["warnings"])
 
     def test_impossible_input(self):
         ball = fcc(4)

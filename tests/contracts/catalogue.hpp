@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -43,6 +44,11 @@ inline SweepResult sweep_catalogue(const std::vector<MadeUpFrame>& frames,
                                    const SweepOptions& options = {}) {
   const TemporaryFolder folder;
   return sweep_catalogue(folder.write("dump", dump_text(frames)), scene, options);
+}
+
+/// Two values of a table agree: both are missing, or within the tolerance.
+inline bool agree(double a, double b, double tolerance) {
+  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance;
 }
 
 /// Calls use(column, value in a, value in b) for every number of two results of the same analyses.

@@ -47,7 +47,10 @@ void expect_moved(const Table& plain, const Table& moved, const Motion& motion, 
         EXPECT_LE((vector(moved, c, row) - expected).norm(), rounding * scale) << name;
       } else if (plain.columns()[c].name.find_first_of("xyz") == std::string::npos) {
         const double a = plain.column(c)[row];
-        EXPECT_NEAR(moved.column(c)[row], a, rounding * std::max(1.0, std::abs(a))) << name;
+        const double b = moved.column(c)[row];
+        // Directions between grains that are 1/64 apart or less are rounded by so much more.
+        const double scale = name.starts_with("fabric") ? 128 : std::max(1.0, std::abs(a));
+        EXPECT_TRUE(test::agree(a, b, rounding * scale)) << name << " " << a << " " << b;
       }
     }
 }

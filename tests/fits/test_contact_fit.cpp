@@ -139,6 +139,14 @@ TEST(ContactFit, UnitsAreOfNoAccount) {
   const double pressure = si.mass / (si.length * si.time * si.time);
   const Parameters constants{{"E", 65.5 * pressure}, {"gamma", 3.17 * si.mass / (si.time * si.time)},
                              {"nu", 0.25}, {"spacing", 1.091 * si.length}};
+  const auto in_si = [&](const char* law, const Parameters& truth, const Parameters& given) {
+    expect_found(fit(law, study(*find_collision_law(law), truth, given, velocities, 1e-3, si)), truth);
+  };
+  in_si("stress", {{"C", 2.1e-4 * si.time / si.length}, {"B", 6.2}, {"zeta", 4}}, constants);
+  in_si("jkr", {{"gamma", constants.at("gamma")}}, without(constants, "gamma"));
+  // D has the dimension of velocity^-alpha length^(2 - beta).
+  in_si("power", {{"D", 118 * std::pow(si.length / si.time, -3) * std::sqrt(si.length)}, {"alpha", 3}, {"beta", 1.5}},
+        constants);
   const Parameters krijt{{"T_vis", 0.04 * si.time}};
   expect_found(fit("krijt", study(*find_collision_law("krijt"), krijt, constants, velocities, 1e-3, si)), krijt);
   const Parameters plastic{{"E", 50 * pressure}, {"Y", 6 * pressure}};
@@ -206,6 +214,26 @@ TEST(ContactFit, AndrewsBelowYieldKnowsNothingOfY) {
       fit("andrews", andrews({{"E", 50}, {"Y", 20}}, {0.001, 0.002, 0.003}), {one("E"), one("Y")});
   EXPECT_FALSE(f.usable);
   EXPECT_NE(f.reason.find("only E is determined"), std::string::npos) << f.reason;
+}
+
+// Errors of 1 %: about the elastic law a Y at the edge of yield fits a greatest delta_max that is too large
+// by chance, and far beyond yield any E that is great enough.
+TEST(ContactFit, AndrewsInALimitKnowsOnlyOne) {
+  for (const auto& [Y, says] : {std::pair{20.0, "the elastic limit (Y"}, {0.6, "the rigid plastic limit (E"}}) {
+    Study data = andrews({{"E", 50}, {"Y", Y}}, {0.05, 0.1, 0.2, 0.4});
+    data.seen.back().delta_max.value *= 1.015;
+    const ContactFit f = fit("andrews", data, {one("E"), one("Y")});
+    EXPECT_FALSE(f.usable);
+    EXPECT_NE(f.reason.find(says), std::string::npos) << f.reason;
+  }
+}
+
+// E is found from exact numbers, but within their errors it could be infinite.
+TEST(ContactFit, AndrewsNearALimitSaysSo) {
+  const ContactFit f = fit("andrews", andrews({{"E", 50}, {"Y", 2}}, {0.05, 0.1, 0.2, 0.4}), {one("E"), one("Y")});
+  ASSERT_TRUE(f.usable) << f.reason;
+  ASSERT_EQ(f.notes.size(), 1u);
+  EXPECT_NE(f.notes[0].find("the rigid plastic limit (E infinite) describes the collisions as well"), std::string::npos);
 }
 
 // One velocity: t_max v/delta_max hardly depends on Y, so 1 % of it leaves everything open.

@@ -47,6 +47,15 @@ radius_definition = "cut"
 [material]
 gamma = 0.1
 nu = 0.25
+[aggregate]
+filling_factor = 0.4
+[grains]
+radius = 100
+density = 0.001
+surface_energy = 100
+modulus = 7000
+poisson_ratio = 0.25
+rolling_displacement = 0.8
 [generator]
 velocity = 0.02
 anything = "else"
@@ -66,6 +75,13 @@ anything = "else"
   EXPECT_EQ(scene.surface_energy, 0.1);
   EXPECT_EQ(scene.poisson_ratio, 0.25);
   EXPECT_EQ(scene.impact_velocity, 0.02);
+  EXPECT_EQ(scene.filling_factor, 0.4);
+  EXPECT_EQ(scene.grains.radius, 100);
+  EXPECT_EQ(scene.grains.density, 0.001);
+  EXPECT_EQ(scene.grains.surface_energy, 100);
+  EXPECT_EQ(scene.grains.modulus, 7000);
+  EXPECT_EQ(scene.grains.poisson_ratio, 0.25);
+  EXPECT_EQ(scene.grains.rolling_displacement, 0.8);
 }
 
 TEST_F(SceneFile, EverythingIsOptionalButTheSchema) {
@@ -109,6 +125,11 @@ TEST_F(SceneFile, WrongValuesAreErrors) {
   expect_error("masses = { x = 1.0 }", "masses.x", "atom type");
   expect_error("masses = { 1 = 0 }", "masses.1", "greater than zero");
   expect_error("material = { gamma = -1 }", "material.gamma", "greater than zero");
+  expect_error("aggregate = { filling_factor = 1.1 }", "aggregate.filling_factor", "at most 1");
+  expect_error("aggregate = { filling_factor = 0 }", "aggregate.filling_factor", "greater than zero");
+  expect_error("grains = { radius = -1 }", "grains.radius", "greater than zero");
+  expect_error("grains = { poisson_ratio = 0.6 }", "grains.poisson_ratio", "at most 0.5");
+  expect_error("grains = { gamma = 1 }", "grains.gamma", "unknown key");
 }
 
 TEST_F(SceneFile, AllBodiesOrNoneStateTheirRadius) {
