@@ -105,6 +105,12 @@ Json surface_json(const DefectHistory& h, std::size_t frame) {
           {"bodies", {body_surface(h, frame, "1"), body_surface(h, frame, "2")}}};
 }
 
+/// Where the bodies cover each other; null if surfaces were not asked for.
+Json patch_json(const DefectHistory& h, std::size_t frame) {
+  if (!h.table.has("patch_area")) return nullptr;
+  return to_json(Value{at(h, "patch_area", frame), at(h, "patch_area_error", frame), dimension::area});
+}
+
 /// Step, time and delta of a frame, as far as they are known.
 Json moment(const DefectHistory& h, std::size_t frame) {
   Json json{{"step", h.steps[frame]}};
@@ -125,6 +131,7 @@ Json frame_json(const DefectHistory& h, std::size_t frame) {
   json["planes"] = planes_json(h.planes[frame]);
   json["lattices"] = lattices(h, frame);
   json["surface"] = surface_json(h, frame);
+  json["patch_area"] = patch_json(h, frame);
   return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "readers/trajectory.hpp"
 #include "reports/cli/command.hpp"
+#include "reports/defect_pictures.hpp"
 #include "reports/labelled_dump.hpp"
 
 namespace mdana::cli {
@@ -56,16 +57,42 @@ SweepOptions frames_of(Values values, const RunOptions& options) {
   return sweeping;
 }
 
+/// Pictures of frames as files PREFIX.surfaces.STEP.vtp and PREFIX.faults.STEP.vtp.
+class Pictures {
+ public:
+  explicit Pictures(std::string prefix) : prefix_(std::move(prefix)) { check_directory(prefix_ + ".vtp"); }
+
+  void add(const FrameHeader& header, const FrameAtoms& atoms, const FrameDefects& found) const {
+    write("surfaces", header, surface_picture(atoms, found.surfaces));
+    write("faults", header, fault_picture(found.planes));
+  }
+
+ private:
+  void write(const char* what, const FrameHeader& header, PolyData data) const {
+    data.time = header.time.value_or(static_cast<double>(header.step));
+    write_vtp(fmt::format("{}.{}.{}.vtp", prefix_, what, header.step), data);
+  }
+
+  std::string prefix_;
+};
+
+/// Where frames go as they are found.
+struct Products {
+  std::optional<LabelledDump> dump;
+  std::optional<Pictures> pictures;
+};
+
 /// One pass over the frames.
 DefectHistory history_of(const Run& run, const RunOptions& options, const SweepOptions& sweeping,
-                         DefectSettings settings, LabelledDump* dump, SweepResult& swept) {
+                         DefectSettings settings, Products& products, SweepResult& swept) {
   DefectHistory history;
   settings.ids = run.first.has_column("id");
-  settings.types = dump && run.first.has_column("type");
+  settings.types = products.dump && run.first.has_column("type");
   settings.product = [&](const FrameHeader& header, const FrameAtoms& atoms,
                          const FrameDefects& found) {
     history.planes.push_back(found.planes);
-    if (dump) dump->add(header, atoms, found.labels);
+    if (products.dump) products.dump->add(header, atoms, found.labels);
+    if (products.pictures) products.pictures->add(header, atoms, found);
   };
   const bool two = run.bodies.count() == 2;
   std::vector<std::unique_ptr<Analysis>> analyses;
@@ -89,13 +116,17 @@ void add_options(Options& options) {
       ("dump", po::value<std::string>()->value_name("FILE"),
        "write the bodies' atoms with their labels: columns id, type, x y z and c_mdana_body, "
        "_structure, _site, _margin, _cluster; opens in OVITO and ASE")                           //
+      ("vtp", po::value<std::string>()->value_name("PREFIX"),
+       "write the surfaces and the planar faults (as discs) of each frame as PREFIX.surfaces.STEP.vtp "
+       "and PREFIX.faults.STEP.vtp, for ParaView")                                               //
       ("csp", po::bool_switch(), "column c_mdana_csp in --dump: centro-symmetry")                //
       ("coordination", po::bool_switch(),
        "column c_mdana_coordination in --dump: atoms within 1.2071 spacings")                    //
       ("label", po::value<std::vector<std::string>>()->composing()->value_name("LIST"),
        "label these structures besides fcc and hcp: bcc, ico (they are counted in any case)")    //
       ("no-surface", po::bool_switch(),
-       "leave out area, volume, radius and voids of the bodies, which take most of the time")    //
+       "leave out area, volume, radius and voids of the bodies and the contact patch, which take most of "
+       "the time")    //
       ("spacing", po::value<double>()->value_name("LENGTH"),
        "distance of nearest neighbours (default: found in each frame)")                          //
       ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),
@@ -112,16 +143,17 @@ int run_command(const Values& values) {
   SweepOptions sweeping = frames_of(values, options);
   const Run run = prepare_run(options);
   sweeping.selection = run.selection;
-  std::optional<LabelledDump> dump;
-  if (format) dump.emplace(values["dump"].as<std::string>(), *format, run);
+  Products products;
+  if (format) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
+  if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>());
   SweepResult swept;
   const DefectHistory history =
-      history_of(run, options, sweeping, std::move(settings), dump ? &*dump : nullptr, swept);
+      history_of(run, options, sweeping, std::move(settings), products, swept);
   Document document("defects", run);
   document.sweep(swept, run.format);
   add_defects(document, history);
-  if (dump) {
-    dump->commit();
+  if (products.dump) {
+    products.dump->commit();
     document.text("dump_written", values["dump"].as<std::string>());
   }
   const Table table = defect_table(history);
@@ -138,9 +170,10 @@ const Command defects_command{
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice; its surface and voids. --frames takes all (default), last, or A:B[:K].",
+    "of each body's lattice; its surface, voids and contact patch. --frames takes all (default), last, or A:B[:K].",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
+    "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last\n"
     "  mdana defects run/dump.lammpstrj.gz --stride 10 -o defects.csv",
     add_options,
     run_command};

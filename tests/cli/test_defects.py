@@ -55,7 +55,35 @@ class Defects(Case):
         self.assertGreater(max(f["counts"]["contact"] for f in frames), 50)
         bare = self.document("defects", SAMPLE, "--frames", ":1", "--no-surface")
         self.assertIn("surface", [entry["what"] for entry in bare["left_out"]])
-        self.assertEqual(bare["frames"], [frames[0] | {"surface": None}])
+        self.assertEqual(bare["frames"], [frames[0] | {"surface": None, "patch_area": None}])
+
+    def test_pictures(self):
+        """The surfaces that VTK reads enclose the volume that is told, and the discs have the planes' areas."""
+        try:
+            import vtk
+        except ImportError:
+            self.skipTest("no vtk (Debian: apt install python3-vtk9)")
+        document = self.document("defects", SAMPLE, "--frames", "last", "--vtp", self.dir / "last")
+        frame = document["frames"][0]
+
+        def read(what):
+            reader = vtk.vtkXMLPolyDataReader()
+            reader.SetFileName(str(self.dir / f"last.{what}.{frame['step']}.vtp"))
+            reader.Update()
+            return reader.GetOutput()
+
+        surfaces, faults = read("surfaces"), read("faults")
+        bodies = surfaces.GetCellData().GetArray("body")
+        self.assertEqual({bodies.GetValue(i) for i in range(surfaces.GetNumberOfCells())}, {1, 2})
+        triangles = vtk.vtkTriangleFilter()
+        triangles.SetInputData(surfaces)
+        mass = vtk.vtkMassProperties()
+        mass.SetInputConnection(triangles.GetOutputPort())
+        self.assertAlmostEqual(mass.GetSurfaceArea() / frame["surface"]["area"]["value"], 1, 6)
+        self.assertEqual(faults.GetNumberOfCells(), len(frame["planes"]))
+        for i, plane in enumerate(frame["planes"]):
+            self.assertAlmostEqual(faults.GetCell(i).GetNumberOfPoints(), 32)
+            self.assertAlmostEqual(faults.GetCellData().GetArray("area").GetValue(i), plane["area"]["value"], 6)
 
     def assert_surface(self, surface, atoms):
         for part in ("area", "volume"):

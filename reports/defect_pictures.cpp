@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/defect_pictures.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
+
+namespace mdana {
+namespace {
+
+constexpr int corners = 32;  ///< of the polygon that stands for a disc
+
+/// Around the centre, of the plane's area.
+void add_disc(PolyData& data, const FaultPlane& plane) {
+  // Area of a regular polygon: corners/2 r^2 sin(2 pi/corners).
+  const double radius = std::sqrt(2 * plane.area / (corners * std::sin(2 * std::numbers::pi / corners)));
+  const Eigen::Vector3d first = plane.normal.unitOrthogonal(), second = plane.normal.cross(first);
+  std::vector<std::uint32_t> polygon;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    polygon.push_back(static_cast<std::uint32_t>(data.points.size()));
+    data.points.push_back(plane.centre + radius * (std::cos(angle) * first + std::sin(angle) * second));
+  }
+  data.polygons.push_back(std::move(polygon));
+}
+
+}  // namespace
+
+PolyData surface_picture(const FrameAtoms& atoms, const BodySurfaces& surfaces) {
+  PolyData data;
+  data.cells = {{"body", {}}, {"void", {}}};
+  std::unordered_map<std::uint32_t, std::uint32_t> point_of;
+  const auto point = [&](std::uint32_t atom) {
+    const auto [at, fresh] = point_of.emplace(atom, static_cast<std::uint32_t>(data.points.size()));
+    if (fresh) data.points.emplace_back(atoms.x[atom], atoms.y[atom], atoms.z[atom]);
+    return at->second;
+  };
+  for (std::size_t body = 0; body < surfaces.body.size(); ++body) {
+    const SurfaceMesh& mesh = surfaces.body[body];
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      data.polygons.push_back({point(a), point(b), point(c)});
+      data.cells[0].values.push_back(static_cast<double>(body + 1));
+      data.cells[1].values.push_back(mesh.parts[mesh.part[t]].volume < 0 ? 1 : 0);
+    }
+  }
+  return data;
+}
+
+PolyData fault_picture(const std::vector<FaultPlane>& planes) {
+  PolyData data;
+  data.cells = {{"kind", {}}, {"body", {}}, {"area", {}}, {"atoms", {}}};
+  for (const FaultPlane& plane : planes) {
+    add_disc(data, plane);
+    data.cells[0].values.push_back(static_cast<double>(plane.kind));
+    data.cells[1].values.push_back(plane.body);
+    data.cells[2].values.push_back(plane.area);
+    data.cells[3].values.push_back(static_cast<double>(plane.atoms));
+  }
+  return data;
+}
+
+}  // namespace mdana

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analyses/defects.hpp"
+#include "reports/vtp.hpp"
+
+namespace mdana {
+
+/// The surfaces of a frame: triangles with the numbers `body` and `void` (1 for the wall of one).
+PolyData surface_picture(const FrameAtoms& atoms, const BodySurfaces& surfaces);
+
+/// Its planar faults: each a disc of its area about its centre, with `kind` (1 intrinsic, 2 extrinsic, 3
+/// twin), `body`, `area` and `atoms`.
+PolyData fault_picture(const std::vector<FaultPlane>& planes);
+
+}  // namespace mdana
