@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "analyses/defects/zone.hpp"
+#include "analyses/ranges.hpp"
 
 namespace mdana::defects {
 namespace {
@@ -158,11 +158,8 @@ ZoneCells triangulate(const Zone& zone, bool cells, std::size_t threads) {
   Eigen::Index axis = 0;
   const std::vector<Slab> slabs = slabs_of(points, axis);
   std::vector<ZoneCells> parts(slabs.size());
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t k) {
-      SlabCells(zone, points, slabs[k], axis).collect(parts[k], cells);
-    });
+  for_ranges(slabs.size(), 1, threads, [&](std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) SlabCells(zone, points, slabs[k], axis).collect(parts[k], cells);
   });
   ZoneCells all;
   for (ZoneCells& part : parts) {
