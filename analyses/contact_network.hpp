@@ -37,7 +37,7 @@ struct ContactNetworkSettings {
 };
 
 /// The network of contacts of grains in two aggregates: numbers of contacts, coordination, normal
-/// forces, fabric, filling factors; NaN for what the settings do not allow. What the columns are is
+/// forces, fabric, filling factors, as far as the settings allow. What the columns are is
 /// told in analyses/contact_network/contact_network.md. Keeps the grains of a frame, 48 bytes each,
 /// and while it counts some 700 bytes a grain.
 std::unique_ptr<Analysis> make_contact_network(ContactNetworkSettings settings);

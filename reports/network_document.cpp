@@ -48,9 +48,9 @@ std::string contacts_of(const Table& table, std::size_t row) {
   const auto at = [&](const char* column) { return table.column(column)[row]; };
   std::string text = fmt::format("{:g} and {:g} within, {:g} between the bodies", at("contacts1"),
                                  at("contacts2"), at("contacts12"));
-  if (!std::isnan(at("tension")))
+  if (table.has("tension"))
     text += fmt::format("; {:g} in tension, {:g} in compression", at("tension"), at("compression"));
-  if (!std::isnan(at("made")))
+  if (table.has("made"))
     text += fmt::format("; {:g} made, {:g} broken", at("made"), at("broken"));
   return text;
 }

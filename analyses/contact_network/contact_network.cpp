@@ -49,7 +49,7 @@ class ContactNetworkPartial final : public Partial {
     measure_forces(frame, numbers);
     measure_fabric(frame, numbers);
     measure_filling(frame, numbers);
-    write_row(numbers, row);
+    write_row(numbers, settings_, row);
   }
 
  private:
@@ -70,7 +70,7 @@ class ContactNetwork final : public Analysis {
     if (settings_.followed()) wanted.add("id");
     return {wanted, /*after_motion=*/true};
   }
-  std::vector<ColumnSpec> columns() const override { return network_columns(); }
+  std::vector<ColumnSpec> columns() const override { return network_columns(settings_); }
   std::unique_ptr<Partial> begin(const FrameContext& frame) const override {
     return std::make_unique<ContactNetworkPartial>(frame, settings_);
   }

@@ -35,8 +35,10 @@ struct NetworkNumbers {
   }
 };
 
-std::vector<ColumnSpec> network_columns();
-void write_row(const NetworkNumbers& numbers, std::span<double> row);
+/// Those that the settings allow.
+std::vector<ColumnSpec> network_columns(const ContactNetworkSettings& settings);
+void write_row(const NetworkNumbers& numbers, const ContactNetworkSettings& settings,
+               std::span<double> row);
 
 /// What is counted in one frame.
 struct NetworkFrame {

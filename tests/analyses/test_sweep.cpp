@@ -66,7 +66,7 @@ TEST_F(SweepOfDump, SelectedAtomsAreAsIfThereWereNoOthers) {
   options.selection = Selection("id:1-40");
   const SweepResult plain = run(dump_text(frames)), selected = run(dump_text(other), options);
   test::for_all_values(plain, selected, [](const ColumnSpec& column, double a, double b) {
-    EXPECT_EQ(a, b) << column.name;
+    EXPECT_TRUE(test::agree(a, b, 0)) << column.name << " " << a << " " << b;
   });
 }
 
@@ -108,7 +108,7 @@ TEST_F(SweepOfDump, FramesBeforeTheDamageAreKept) {
     for (std::size_t k = 0; k < result.tables.size(); ++k)
       for (std::size_t i = 0; i < result.tables[k].columns().size(); ++i) {
         ASSERT_EQ(result.tables[k].column(i).size(), 2u);
-        EXPECT_EQ(result.tables[k].column(i)[1], whole_result.tables[k].column(i)[1]);
+        EXPECT_TRUE(test::agree(result.tables[k].column(i)[1], whole_result.tables[k].column(i)[1], 0));
       }
   }
 }

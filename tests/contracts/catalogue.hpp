@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -21,6 +22,12 @@ inline std::vector<std::unique_ptr<Analysis>> whole_catalogue(const AnalysisSetu
     for (const AnalysisMember* member : analysis_members())
       if ((member->name == "motion") == motion) analyses.push_back(member->make(setup));
   return analyses;
+}
+
+/// Grains cannot be at one place, which atoms can.
+inline bool is_of_grains(const std::unique_ptr<Analysis>& analysis) {
+  const auto columns = analysis->columns();
+  return std::ranges::find(columns, "coordination", &ColumnSpec::name) != columns.end();
 }
 
 /// A scene for made-up collisions: two spheres, lengths in units of `length`.

@@ -49,10 +49,20 @@ TEST(ExtremeBodies, AllAtomsOfABodyAtOnePlace) {
     frame.atoms.push_back(atom(2 * i, 1, {0.1, 0.2, 0.3}));
     frame.atoms.push_back(atom(2 * i + 1, 2, {0.1, 0.2, 0.4}));
   }
-  const SweepResult result = test::sweep_catalogue({frame});
+  const test::TemporaryFolder folder;
+  const auto dump = folder.write("dump", test::dump_text({frame}));
+  const auto swept = [&](bool with_grains) {
+    const FrameHeader first = first_header(dump);
+    const Scene scene = test::made_up_scene();
+    auto analyses = test::whole_catalogue({scene, first});
+    if (!with_grains) std::erase_if(analyses, test::is_of_grains);
+    return sweep(dump, find_bodies(dump, first, "type"), Masses::from_column("the dump"), analyses);
+  };
+  const SweepResult result = swept(false);
   test::for_all_values(result, result, [](auto& column, double a, double) {
     EXPECT_TRUE(std::isfinite(a)) << column.name;
   });
+  EXPECT_INPUT_ERROR(swept(true), "two grains coincide at 0.1 0.2 0.3");
 }
 
 TEST(ExtremeBodies, WithoutAtomsAreNamed) {
