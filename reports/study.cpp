@@ -152,14 +152,11 @@ Study find_study(const fs::path& directory) {
   for (const fs::path& file : scene_files(directory)) {
     StudyRun entry = open_run(file);
     if (entry.run && entry.run->scene.interaction == Interaction::aggregate)
-      study.aggregates.push_back(entry.name);
+      study.aggregates.push_back({entry.name, entry.dump, *entry.run, {}, {}});
     else
       study.runs.push_back(std::move(entry));
   }
-  if (study.runs.empty() && !study.aggregates.empty())
-    throw InputError(fmt::format("{}: {}: {}", directory.string(), study.aggregates.front(),
-                                 aggregates_left_out));
-  if (study.runs.empty())
+  if (study.runs.empty() && study.aggregates.empty())
     throw InputError(fmt::format("{}: no scene.toml here or one level below; every run needs one "
                                  "(see sample-data/adhesive-tiny/scene.toml)", directory.string()));
   std::stable_partition(study.runs.begin(), study.runs.end(), is_hertz);
@@ -177,6 +174,7 @@ void analyse_study(Study& study, const SweepOptions& options,
       entry.result.reset();
     }
   }
+  analyse_aggregates(study.aggregates, options, progress);
 }
 
 }  // namespace mdana

@@ -12,6 +12,7 @@
 #include "reports/accuracy.hpp"
 #include "reports/analysed_run.hpp"
 #include "reports/stability.hpp"
+#include "reports/study_aggregates.hpp"
 
 namespace mdana {
 
@@ -44,16 +45,11 @@ struct StudyRun {
 struct Study {
   std::filesystem::path directory;
   std::vector<StudyRun> runs;           ///< Hertz scenes first, then by name
-  std::vector<std::string> aggregates;  ///< names of runs of aggregates, which the report leaves out
+  std::vector<AggregateRun> aggregates;
 };
 
-/// Why it does, and what to do.
-inline constexpr std::string_view aggregates_left_out =
-    "an aggregate: contact radius by a layer of one sigma, Hertz and JKR of the whole body and their "
-    "errors are those of spheres; see mdana network";
-
 /// The scene files in the directory and in its subdirectories (one level), and their dumps.
-/// Throws InputError if there is none, or none but of aggregates.
+/// Throws InputError if there is none.
 Study find_study(const std::filesystem::path& directory);
 
 /// Analyses every run. Adhesive runs take E* and R from a Hertz run of the study whose scene has the

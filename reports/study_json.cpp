@@ -54,8 +54,16 @@ nlohmann::ordered_json study_json(const Study& study) {
   json["directory"] = study.directory.string();
   json["runs"] = nlohmann::ordered_json::array();
   for (const StudyRun& entry : study.runs) json["runs"].push_back(run_json(entry));
-  for (const std::string& name : study.aggregates)
-    json["left_out"].push_back({{"what", name}, {"reason", aggregates_left_out}});
+  for (const AggregateRun& entry : study.aggregates)
+    json["runs"].push_back(entry.result ? aggregate_document(entry).content()
+                                        : nlohmann::ordered_json{{"name", entry.name},
+                                                                 {"dump", entry.dump.string()},
+                                                                 {"failure", entry.failure}});
+  if (const auto together = aggregate_study(study.aggregates)) {
+    Document document("compress");
+    add_compression_study(document, *together);
+    json["aggregates"] = document.content();
+  }
   return json;
 }
 

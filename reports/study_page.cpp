@@ -113,6 +113,24 @@ std::string run_section(const StudyRun& entry, const std::filesystem::path& dire
                         "class=\"quiet\"");
 }
 
+std::string aggregate_section(const AggregateRun& entry, const std::filesystem::path& directory) {
+  const std::string text = heading(2, entry.name, file_name(entry.name));
+  if (!entry.result) return text + element("p", escape(entry.failure), "class=\"warning\"");
+  return text + element("pre", escape(aggregate_document(entry).to_terminal())) +
+         drawn(aggregate_figures(entry), directory);
+}
+
+/// What the aggregates say together.
+std::string aggregates_section(const Study& study) {
+  const auto together = aggregate_study(study.aggregates);
+  if (!together) return {};
+  Document document("compress");
+  add_compression_study(document, *together);
+  return heading(2, "Aggregates together", "aggregates") +
+         paragraph("E* and Y of the aggregates by delta_max and t_max, from the laws of elastoplastic spheres.") +
+         element("pre", escape(document.to_terminal()));
+}
+
 /// A row a number, a column a setting: relative difference from the first setting.
 std::string accuracy_table(const StudyRun& entry) {
   std::vector<std::string> head{"number"}, seconds{"seconds"}, order;
@@ -175,20 +193,24 @@ std::string left_out_section(const Study& study) {
   std::vector<std::vector<std::string>> rows;
   for (const StudyRun& entry : study.runs)
     for (const LeftOut& l : entry.left_out) rows.push_back({entry.name, l.what, l.reason});
-  for (const std::string& name : study.aggregates)
-    rows.push_back({name, "the run", std::string(aggregates_left_out)});
+  for (const AggregateRun& entry : study.aggregates) {
+    rows.push_back({entry.name, std::string(aggregate_left_out), std::string(aggregate_reason)});
+    rows.push_back({entry.name, "error against run time, numerical stability", "not measured for aggregates yet"});
+  }
   return text + html::table({"run", "left out", "because"}, rows, 3);
 }
 
 }  // namespace
 
 std::string study_page(const Study& study, const std::filesystem::path& figures) {
-  std::string body = heading(1, "Contact mechanics of " + std::to_string(study.runs.size()) +
-                                    (study.runs.size() == 1 ? " run" : " runs"));
+  const std::size_t count = study.runs.size() + study.aggregates.size();
+  std::string body = heading(1, "Contact mechanics of " + std::to_string(count) + (count == 1 ? " run" : " runs"));
   body += element("p", escape(fmt::format("{} · mdana {}", study.directory.string(), version)),
                   "class=\"quiet\"");
-  body += summary_table(study);
+  if (!study.runs.empty()) body += summary_table(study);
   for (const StudyRun& entry : study.runs) body += run_section(entry, figures);
+  for (const AggregateRun& entry : study.aggregates) body += aggregate_section(entry, figures);
+  body += aggregates_section(study);
   body += accuracy_section(study, figures) + stability_section(study) + left_out_section(study);
   return html::page("Contact mechanics", page_style, body);
 }

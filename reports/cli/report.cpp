@@ -37,11 +37,18 @@ void write_tables(const Study& study, const std::filesystem::path& directory) {
       add_law_column(table, entry.result->curve.delta, *entry.overlay->law, entry.overlay->contact);
     write_file(directory / (file_name(entry.name) + ".csv"), to_csv(table));
   }
+  for (const AggregateRun& entry : study.aggregates)
+    if (entry.result)
+      write_file(directory / (file_name(entry.name) + ".csv"), to_csv(compression_table(*entry.result, Split::sign)));
 }
 
 int exit_code(const Study& study) {
   int code = done;
   for (const StudyRun& entry : study.runs) {
+    if (!entry.result) return failed;
+    if (!entry.result->measured.swept.damage.empty()) code = damaged_input;
+  }
+  for (const AggregateRun& entry : study.aggregates) {
     if (!entry.result) return failed;
     if (!entry.result->measured.swept.damage.empty()) code = damaged_input;
   }
@@ -66,8 +73,8 @@ int run_command(const Values& values) {
 
   for (const StudyRun& entry : study.runs)
     if (!entry.result) std::cerr << fmt::format("{}: failed: {}\n", entry.name, entry.failure);
-  for (const std::string& name : study.aggregates)
-    std::cerr << fmt::format("{}: left out: {}\n", name, aggregates_left_out);
+  for (const AggregateRun& entry : study.aggregates)
+    if (!entry.result) std::cerr << fmt::format("{}: failed: {}\n", entry.name, entry.failure);
   print(values["json"].as<bool>() ? json : (place / "index.html").string() + "\n");
   return exit_code(study);
 }

@@ -187,18 +187,32 @@ class Network(Case):
         (self.dir / "scene.toml").write_text(scene, encoding="utf-8")
         self.told_by_info(bare, "no column 'radius'")
 
-    def test_report_leaves_aggregates_out(self):
+    def test_report_has_aggregates_beside_spheres(self):
+        """Compression, together with other aggregates and without what is of spheres, which is said."""
         runs = self.dir / "runs"
-        for sample in (DUMP.parent, running.SAMPLE.parent):
-            shutil.copytree(sample, runs / sample.name)
-        done = self.mdana("report", runs, "-o", self.dir / "report")
-        self.assertIn("aggregate-tiny: left out", done.stderr)
+        for sample, name in ((DUMP.parent, "a"), (DUMP.parent, "b"), (running.SAMPLE.parent, "spheres")):
+            shutil.copytree(sample, runs / name)
+        for name in "ab":
+            scene = runs / name / "scene.toml"
+            scene.write_text(scene.read_text().replace('name = "aggregate-tiny"', f'name = "{name}"'))
+        self.mdana("report", runs, "-o", self.dir / "report")
         results = running.parse_json((self.dir / "report" / "results.json").read_text(encoding="utf-8"))
-        self.assertEqual([entry["what"] for entry in results["left_out"]], ["aggregate-tiny"])
-        self.assertEqual(len(results["runs"]), 1)
-        self.assertIn("see mdana network", (self.dir / "report" / "index.html").read_text(encoding="utf-8"))
-        done = self.mdana("report", DUMP.parent, "-o", self.dir / "none", code=1)
-        self.assertIn("mdana network", done.stderr)
+        compressed = self.document("compress", DUMP)
+        by_name = {run["name"]: run for run in results["runs"]}
+        self.assertEqual(set(by_name), {"a", "b", "adhesive-tiny"})
+        for name in "ab":
+            self.assertEqual(by_name[name]["delta_max"], compressed["delta_max"])
+            self.assertEqual(by_name[name]["coordination"], compressed["coordination"])
+            self.assertIn("lattice defects", by_name[name]["left_out"][-1]["what"])
+            self.assertTrue((self.dir / "report" / f"{name}.csv").is_file())
+        self.assertFalse(results["aggregates"]["usable"])  # two runs of one velocity
+        page = (self.dir / "report" / "index.html").read_text(encoding="utf-8")
+        for text in ("delta_max", "no solid sphere", "Aggregates together", "relative velocity against time"):
+            self.assertIn(text, page)
+
+    def test_report_of_aggregates_alone(self):
+        self.mdana("report", DUMP.parent, "-o", self.dir / "report")
+        self.assertIn("Contact mechanics of 1 run", (self.dir / "report" / "index.html").read_text(encoding="utf-8"))
 
     def test_one_frame_is_enough(self):
         dump = dumps.write(self.dir / "one.dump", self.frames[:1])
