@@ -193,7 +193,7 @@ void warn_of_structure(Document& document, const DefectHistory& h) {
   const double crystal = at(h, "fcc", 0) + at(h, "hcp", 0), bulk = at(h, "bulk_defect", 0),
                bcc = at(h, "bcc", 0), ico = at(h, "ico", 0);
   if (crystal + bulk + bcc == 0) {
-    document.warn("every atom of the first frame is at the surface: a sheet, or clusters too small "
+    document.warn("every atom of the first frame is at the surface: a sheet, a gas, or clusters too small "
                   "for a crystal");
     return;
   }

@@ -10,9 +10,10 @@
 namespace mdana::defects {
 namespace {
 
-/// Unit vectors to the neighbours add up to this on one side of an atom: 2.45 and 2.83 on {111} and
-/// {100} surfaces, 1 beside a vacancy.
+/// Unit vectors to the neighbours, the farther ones less, add up to this on one side of an atom: 2.6 and
+/// 2.9 on {111} and {100} surfaces, 1 beside a vacancy.
 constexpr float one_sided = 1.6f;
+constexpr float whole_weight = 1.1f;       ///< [spacings], of neighbours nearer than this; 0 at `reach`
 constexpr std::size_t few_neighbours = 6;  ///< of an atom on an edge or loose, whatever their sides
 
 /// What the neighbours tell of an atom.
@@ -38,9 +39,9 @@ Surroundings surroundings(const Sites& sites, const FrameAtoms& atoms, std::uint
     if (n.d2 == 0) same_place(atoms, sites.grid.atom[place], sites.grid.atom[n.place]);
     if (n.d2 < touching * touching && sites.body[n.place] != sites.body[place])
       about.contact = true;
-    if (!(n.d2 < between_shells * between_shells)) continue;
-    ++count;
-    sum += n.offset / std::sqrt(n.d2);
+    count += n.d2 < between_shells * between_shells;
+    const float distance = std::sqrt(n.d2), end = static_cast<float>(reach);
+    sum += std::min(1.0f, (end - distance) / (end - whole_weight)) / distance * n.offset;
   }
   about.incomplete = count < 12;
   about.exposed = about.incomplete && (sum.norm() >= one_sided || count <= few_neighbours);

@@ -181,7 +181,7 @@ class Defects(Case):
         import random
 
         random.seed(1)
-        atoms = [tuple(c + random.gauss(0, 0.25) for c in p) for p in fcc(6)]
+        atoms = [tuple(c + random.gauss(0, 0.14) for c in p) for p in fcc(6)]
         document = self.document("defects", self.write(dump_of([[atoms]])), "--bodies", "type")
         self.assertTrue(any("amorphous" in w for w in document["warnings"]), document["warnings"])
 
