@@ -69,8 +69,8 @@ class Product {
 /// file's does not change.
 class FrameAnalysis : public Analysis {
  public:
-  /// Fills the frame's row, in up to `threads` threads that change no bit of it. The atoms are its own
-  /// to keep if it is the last such analysis. Nothing is returned if there is nothing to write.
+  /// Fills the frame's row, in up to `threads` threads that change no bit of it. A product may keep the
+  /// atoms. Nothing is returned if there is nothing to write.
   virtual std::unique_ptr<Product> look(const FrameHeader& header,
                                         std::shared_ptr<const FrameAtoms> atoms,
                                         std::size_t threads, std::span<double> row) const = 0;

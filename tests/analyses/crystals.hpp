@@ -54,6 +54,7 @@ inline Points stacked_ball(std::string_view stacking, double radius) {
 }
 
 inline void add_noise(Points& points, double sigma, std::uint64_t seed = 1) {
+  if (sigma == 0) return;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, sigma);
   for (auto& p : points) p += Eigen::Vector3d(normal(random), normal(random), normal(random));
