@@ -26,6 +26,7 @@ struct Way {
 
   /// Time between two values of s: int 2 range s ds/|v|.
   double time(double from, double to) const {
+    if (!(to > from)) return 0;
     return boost::math::quadrature::gauss<double, 15>::integrate(
         [&](double s) { return 2 * range / speed_over_s(s); }, from, to);
   }

@@ -51,18 +51,20 @@ TEST(ExtremeBodies, AllAtomsOfABodyAtOnePlace) {
   }
   const test::TemporaryFolder folder;
   const auto dump = folder.write("dump", test::dump_text({frame}));
-  const auto swept = [&](bool with_grains) {
+  const auto of_neighbours = [](const auto& analysis) { return test::is_of_grains(analysis) || analysis->needs().whole_frame; };
+  const auto swept = [&](auto&& left_out) {
     const FrameHeader first = first_header(dump);
     const Scene scene = test::made_up_scene();
     auto analyses = test::whole_catalogue({scene, first});
-    if (!with_grains) std::erase_if(analyses, test::is_of_grains);
+    std::erase_if(analyses, left_out);
     return sweep(dump, find_bodies(dump, first, "type"), Masses::from_column("the dump"), analyses);
   };
-  const SweepResult result = swept(false);
+  const SweepResult result = swept(of_neighbours);
   test::for_all_values(result, result, [](auto& column, double a, double) {
     EXPECT_TRUE(std::isfinite(a)) << column.name;
   });
-  EXPECT_INPUT_ERROR(swept(true), "two grains coincide at 0.1 0.2 0.3");
+  EXPECT_INPUT_ERROR(swept([](const auto& a) { return a->needs().whole_frame; }), "two grains coincide at 0.1 0.2 0.3");
+  EXPECT_INPUT_ERROR(swept(test::is_of_grains), "ids 0 and 2 are at the same place");
 }
 
 TEST(ExtremeBodies, WithoutAtomsAreNamed) {
