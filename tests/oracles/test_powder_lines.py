@@ -12,42 +12,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 import running  # noqa: E402
 from running import Case  # noqa: E402
 
-SCENE = """units lj
-atom_style sphere
+# Two spheres that meet, for LAMMPS and LIGGGHTS; `head` and `tail` are what differs.
+SCENE = """{head}
 atom_modify map array
-comm_modify vel yes
 newton off
-region box block -500 500 -500 500 -500 500
-create_box 1 box
-create_atoms 1 single -147.5 0 0
-create_atoms 1 single 147.5 0 0
-set group all diameter 294
-set group all density {density!r}
-include {lines}
-group right id 2
-velocity all set 0.05 0 0
-velocity right set -0.05 0 0
-timestep 0.02
-fix move all nve/sphere
-thermo 20000
-variable relative equal vx[2]-vx[1]
-thermo_style custom step v_relative
-thermo_modify format float %.12g
-run 20000
-"""
-
-
-LIGGGHTS = """atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units lj
-hard_particles yes
 region box block -500 500 -500 500 -500 500 units box
 create_box 1 box
-neighbor 20 bin
-neigh_modify delay 0
 create_atoms 1 single -147.5 0 0
 create_atoms 1 single 147.5 0 0
 set group all diameter 294
@@ -61,9 +31,12 @@ fix move all nve/sphere
 thermo 20000
 variable relative equal vx[2]-vx[1]
 thermo_style custom step v_relative
-thermo_modify format float %.12g norm no
+thermo_modify format float %.12g {tail}
 run 20000
 """
+LAMMPS = {"head": "units lj\natom_style sphere\ncomm_modify vel yes", "tail": ""}
+LIGGGHTS = {"head": "atom_style granular\nboundary f f f\ncommunicate single vel yes\nunits lj\nhard_particles yes\n"
+                    "neighbor 20 bin\nneigh_modify delay 0", "tail": "norm no"}
 
 YADE = """import os
 from yade import *
@@ -114,7 +87,7 @@ class Viscous(Case):
 
     def test_lammps(self):
         """eta_n0 a m* v is 2 T E*/nu^2 a v. To 1e-5: the time step is 1e-4 of the contact's."""
-        after = self.run_lines("lmp", SCENE.format(density=DENSITY, lines=self.lines("lammps")))
+        after = self.run_lines("lmp", SCENE.format(density=DENSITY, lines=self.lines("lammps"), **LAMMPS))
         self.assertLess(self.wanted(), 0.98)
         self.assertAlmostEqual(after / 0.1, self.wanted(), delta=1e-5)
 
@@ -122,7 +95,7 @@ class Viscous(Case):
         if not shutil.which("liggghts"):
             self.skipTest("there is no LIGGGHTS (liggghts)")
         lines = self.lines("liggghts")
-        after = self.run_lines("liggghts", LIGGGHTS.format(density=DENSITY, lines=lines))
+        after = self.run_lines("liggghts", SCENE.format(density=DENSITY, lines=lines, **LIGGGHTS))
         self.assertAlmostEqual(after / 0.1, self.wanted(), delta=1e-5)
         self.assertIn("hard_particles yes", lines.read_text())
 
