@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -113,6 +114,9 @@ int emit(const Values& values, const Document& document, const Table* table);
 
 /// The value if it is finite and greater than zero. Throws UsageError naming the option.
 double positive(double value, const char* option);
+
+/// The number of an option, greater than zero; nothing if it is not given. Throws UsageError.
+std::optional<double> positive_option(const Values& values, const char* name);
 
 /// The value of an option that must be one of a list. Throws UsageError.
 std::size_t choice(const Values& values, const std::string& option,

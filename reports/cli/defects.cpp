@@ -24,7 +24,7 @@ DefectSettings defect_settings(const Values& values) {
       throw UsageError(fmt::format("--label {}: bcc or ico expected", name));
     (name == "bcc" ? settings.bcc : settings.ico) = true;
   }
-  if (values.count("spacing")) settings.spacing = positive(values["spacing"].as<double>(), "spacing");
+  settings.spacing = positive_option(values, "spacing");
   settings.by_cgal = choice(values, "neighbours", neighbour_searches) == 1;
   settings.surface = !values["no-surface"].as<bool>();
   settings.labels = values.count("dump") > 0;

@@ -14,11 +14,6 @@ namespace po = boost::program_options;
 
 auto number(const char* name) { return po::value<double>()->value_name(name); }
 
-std::optional<double> positive_option(const Values& values, const char* name) {
-  if (!values.count(name)) return std::nullopt;
-  return positive(values[name].as<double>(), name);
-}
-
 std::optional<double> ratio_option(const Values& values) {
   if (!values.count("poisson-ratio")) return std::nullopt;
   const double nu = values["poisson-ratio"].as<double>();

@@ -75,6 +75,11 @@ double positive(double value, const char* option) {
   return value;
 }
 
+std::optional<double> positive_option(const Values& values, const char* name) {
+  if (!values.count(name)) return std::nullopt;
+  return positive(values[name].as<double>(), name);
+}
+
 void add_dump_options(Options& options) {
   options.add_options()                                                                           //
       ("scene", po::value<std::string>()->value_name("FILE"),
