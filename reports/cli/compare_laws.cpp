@@ -66,9 +66,10 @@ Json law_json(const Judged& j, const std::vector<std::string>& fails) {
 void tell(Document& document, const Judged& j, std::span<const ObservedCollision> seen, Json& laws) {
   const std::vector<std::string> fails = describe_residuals(seen, j.fit.points);
   const std::string law(j.law->name);
-  document.line(law, fmt::format("k {}, chi2 {:.5g}, AIC {:.5g}, BIC {:.5g}, left out v: {:.3g}, R: {:.3g}",
-                                 j.fit.parameters.size(), j.fit.chi2, j.fit.aic, j.fit.bic,
-                                 j.fit.left_out_velocity, j.fit.left_out_radius));
+  const auto known = [](double rms) { return std::isnan(rms) ? std::string("-") : fmt::format("{:.3g}", rms); };
+  document.line(law, fmt::format("k {}, chi2 {:.5g}, AIC {:.5g}, BIC {:.5g}, left out v: {}, R: {}", j.fit.parameters.size(),
+                                 j.fit.chi2, j.fit.aic, j.fit.bic, known(j.fit.left_out_velocity),
+                                 known(j.fit.left_out_radius)));
   document.line("", parameters_text(j.fit));
   for (const std::string& f : fails) document.line("", f);
   if (!j.fit.usable) document.line("", "not usable: " + j.fit.reason);
@@ -123,7 +124,7 @@ const Command compare_laws_command{
     "all contact laws on the same collisions: AIC, BIC, cross-validation, where each fails",
     "Fits every law whose constants are known to the tables of fit-contact, with what is usually free in it and not\n"
     "given, and tells of each: number of free parameters k, chi2, AIC, BIC, the root mean square residual of a\n"
-    "velocity and of a radius that were left out of the fit, and where it fails. The best has the least AIC\n"
+    "velocity and of a radius that were left out of the fit (- with one of them), and where it fails. The best has the least AIC\n"
     "of those that are usable.",
     "  mdana compare-laws runs.csv --table2\n"
     "  mdana compare-laws runs.csv -p E=65.5 -p gamma=3.17 -p nu=0.25 --loss huber --json",
