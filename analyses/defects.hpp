@@ -102,8 +102,8 @@ struct DefectSettings {
 /// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
 /// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
 /// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
-/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1 ..., zeros without one, and
-/// patch_area with patch_area_error [length^2].
+/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1, radius_atoms1 and
+/// radius_gyration1 [length] ..., zeros without one, and patch_area with patch_area_error [length^2].
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
 
 /// Turn of the lattice of a body (1, 2) in a row; nothing without one.

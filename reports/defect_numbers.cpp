@@ -83,6 +83,8 @@ Json body_surface(const DefectHistory& h, std::size_t frame, const std::string& 
   return {{"area", to_json(Value{at(h, "surface_area" + body, frame), {}, dimension::area})},
           {"volume", to_json(Value{at(h, "surface_volume" + body, frame), {}, dimension::volume})},
           {"radius", to_json(Value{radius, error, dimension::length})},
+          {"radius_atoms", at(h, "radius_atoms" + body, frame)},
+          {"radius_gyration", at(h, "radius_gyration" + body, frame)},
           {"voids", whole(at(h, "voids" + body, frame))},
           {"void_volume", to_json(Value{at(h, "void_volume" + body, frame), {}, dimension::volume})}};
 }

@@ -2,7 +2,9 @@
 #include "analyses/defects.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "analyses/defects/planes.hpp"
 #include "analyses/defects/spacing.hpp"
 #include "analyses/defects/surface.hpp"
+#include "analyses/moments.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -69,20 +72,36 @@ void add_surface_columns(std::vector<ColumnSpec>& all) {
                               {"surface_volume", dimension::volume},
                               {"surface_radius", dimension::length},
                               {"voids", dimension::none},
-                              {"void_volume", dimension::volume}};
+                              {"void_volume", dimension::volume},
+                              {"radius_atoms", dimension::length},
+                              {"radius_gyration", dimension::length}};
   for (const char* body : {"1", "2"})
     for (const ColumnSpec& part : parts) all.push_back({part.name + body, part.dimension});
   all.push_back({"patch_area", dimension::area});
   all.push_back({"patch_area_error", dimension::area});
 }
 
+/// Radii of the ball with as many atoms of fcc, a^3/4 each, and of the one with the same radius of
+/// gyration, sqrt(5/3) r_g; 0 without atoms.
+std::array<double, 2> ball_radii(const FrameAtoms& atoms, BodyIndex body, double spacing) {
+  Moments<3> all;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+    if (atoms.body[i] == body) all.merge({1, 1, {atoms.x[i], atoms.y[i], atoms.z[i]}, 0});
+  if (all.count == 0) return {};
+  return {spacing * std::cbrt(3 * all.weight / (4 * std::numbers::pi * std::numbers::sqrt2)),
+          std::sqrt(5.0 / 3 * (all.spread / all.weight))};
+}
+
 /// In the order of these columns.
-void fill_surfaces(const BodySurfaces& surfaces, double spacing, std::span<double> row) {
+void fill_surfaces(const BodySurfaces& surfaces, const FrameAtoms& atoms, double spacing, std::span<double> row) {
   std::size_t next = 0;
-  for (const SurfaceMesh& mesh : surfaces.body)
-    for (const double value : {mesh.area(), mesh.volume(), mesh.radius(spacing),
-                               static_cast<double>(mesh.voids()), mesh.void_volume()})
+  for (std::size_t b = 0; b < surfaces.body.size(); ++b) {
+    const SurfaceMesh& mesh = surfaces.body[b];
+    const auto radii = ball_radii(atoms, static_cast<BodyIndex>(b + 1), spacing);
+    for (const double value : {mesh.area(), mesh.volume(), mesh.radius(spacing), static_cast<double>(mesh.voids()),
+                               mesh.void_volume(), radii[0], radii[1]})
       row[next++] = value;
+  }
   row[next++] = surfaces.patch.value;
   row[next] = surfaces.patch.error.value_or(0);
 }
@@ -143,7 +162,7 @@ class Defects final : public FrameAnalysis {
     FrameDefects found;
     found.step = header.step;
     const auto rest = fill(*atoms, sites, row, found.planes);
-    if (settings_.surface) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), grid.spacing, rest);
+    if (settings_.surface) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), *atoms, grid.spacing, rest);
     if (!settings_.product) return nullptr;
     found.labels = labels(sites);
     return std::make_unique<DefectProduct>(settings_, header, std::move(atoms), std::move(found));

@@ -83,6 +83,9 @@ TEST(Surfaces, OfABall) {
     const auto looked = test::look(points, surfaces());
     const double by_atoms = std::cbrt(3.0 / 16 / std::numbers::pi * static_cast<double>(points.size())) * edge;
     EXPECT_NEAR(looked["surface_radius1"], by_atoms, 0.02 * by_atoms) << radius;
+    EXPECT_NEAR(looked["radius_atoms1"], by_atoms, 1e-9 * by_atoms);
+    EXPECT_NEAR(looked["radius_gyration1"], radius, 0.01 * radius);  // as rough as a ball of so few atoms is
+    EXPECT_EQ(looked["radius_atoms2"], 0);
     const double sphere = 4 * std::numbers::pi * by_atoms * by_atoms;
     EXPECT_GT(looked["surface_area1"], 1.03 * sphere);
     EXPECT_LT(looked["surface_area1"], 1.16 * sphere);
