@@ -148,7 +148,7 @@ void analyse(const Study& study, StudyRun& entry, const SweepOptions& options,
 Study find_study(const fs::path& directory) {
   if (!fs::is_directory(directory))
     throw InputError(fmt::format("{}: no such directory", directory.string()));
-  Study study{directory, {}, {}};
+  Study study{directory, {}, {}, {}};
   for (const fs::path& file : scene_files(directory)) {
     StudyRun entry = open_run(file);
     if (entry.run && entry.run->scene.interaction == Interaction::aggregate)
@@ -175,6 +175,7 @@ void analyse_study(Study& study, const SweepOptions& options,
     }
   }
   analyse_aggregates(study.aggregates, options, progress);
+  study.together = aggregates_together(study.aggregates);
 }
 
 }  // namespace mdana

@@ -46,6 +46,7 @@ struct Study {
   std::filesystem::path directory;
   std::vector<StudyRun> runs;           ///< Hertz scenes first, then by name
   std::vector<AggregateRun> aggregates;
+  AggregatesTogether together;          ///< the aggregates
 };
 
 /// The scene files in the directory and in its subdirectories (one level), and their dumps.

@@ -41,14 +41,14 @@ void analyse_aggregates(std::vector<AggregateRun>& runs, const SweepOptions& opt
   }
 }
 
-std::optional<CompressionStudy> aggregate_study(const std::vector<AggregateRun>& runs) {
+AggregatesTogether aggregates_together(const std::vector<AggregateRun>& runs) try {
   std::vector<CompressedRun> measured;
   for (const AggregateRun& entry : runs)
     if (entry.result) measured.push_back(*entry.result);
-  if (measured.size() < 2) return std::nullopt;
-  for (const CompressedRun& run : measured)
-    if (run.units != measured.front().units) return std::nullopt;
-  return study_compression(std::move(measured), split, {});
+  if (measured.size() < 2) return {};
+  return {study_compression(std::move(measured), split, {}), {}};
+} catch (const InputError& error) {
+  return {std::nullopt, error.what()};
 }
 
 Document aggregate_document(const AggregateRun& entry) {

@@ -31,8 +31,12 @@ inline constexpr std::string_view aggregate_reason =
 void analyse_aggregates(std::vector<AggregateRun>& runs, const SweepOptions& options,
                         const std::function<void(const std::string&)>& progress);
 
-/// All that were measured, together; nothing if they are fewer than two or cannot be taken together.
-std::optional<CompressionStudy> aggregate_study(const std::vector<AggregateRun>& runs);
+/// All that were measured, together; nothing if they are fewer than two.
+struct AggregatesTogether {
+  std::optional<CompressionStudy> study;
+  std::string failure;  ///< why they cannot be taken together, else empty
+};
+AggregatesTogether aggregates_together(const std::vector<AggregateRun>& runs);
 
 /// What a page and results.json say of a run.
 Document aggregate_document(const AggregateRun& run);

@@ -59,9 +59,10 @@ nlohmann::ordered_json study_json(const Study& study) {
                                         : nlohmann::ordered_json{{"name", entry.name},
                                                                  {"dump", entry.dump.string()},
                                                                  {"failure", entry.failure}});
-  if (const auto together = aggregate_study(study.aggregates)) {
+  if (!study.together.failure.empty()) json["aggregates"] = {{"failure", study.together.failure}};
+  if (study.together.study) {
     Document document("compress");
-    add_compression_study(document, *together);
+    add_compression_study(document, *study.together.study);
     json["aggregates"] = document.content();
   }
   return json;

@@ -122,12 +122,12 @@ std::string aggregate_section(const AggregateRun& entry, const std::filesystem::
 
 /// What the aggregates say together.
 std::string aggregates_section(const Study& study) {
-  const auto together = aggregate_study(study.aggregates);
-  if (!together) return {};
+  const std::string head = heading(2, "Aggregates together", "aggregates");
+  if (!study.together.failure.empty()) return head + element("p", escape(study.together.failure), "class=\"warning\"");
+  if (!study.together.study) return {};
   Document document("compress");
-  add_compression_study(document, *together);
-  return heading(2, "Aggregates together", "aggregates") +
-         paragraph("E* and Y of the aggregates by delta_max and t_max, from the laws of elastoplastic spheres.") +
+  add_compression_study(document, *study.together.study);
+  return head + paragraph("E* and Y of the aggregates by delta_max and t_max, from the laws of elastoplastic spheres.") +
          element("pre", escape(document.to_terminal()));
 }
 

@@ -6,10 +6,8 @@ kinetic energy lost, and e is that of LAMMPS' own velocities, each within the er
 With MDANA_LONG_RUNS=DIR the runs are kept in DIR, and taken from there if they are there."""
 
 import concurrent.futures
-import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "oracles"))
@@ -87,13 +85,7 @@ def logged(path, name):
 class Collisions(running.Case):
     @classmethod
     def setUpClass(cls):
-        kept = os.environ.get("MDANA_LONG_RUNS")
-        if kept:
-            cls.folder = Path(kept)
-        else:
-            scratch = tempfile.TemporaryDirectory(prefix="mdana-test-")
-            cls.addClassCleanup(scratch.cleanup)
-            cls.folder = Path(scratch.name)
+        cls.folder = lammps.kept_runs(cls)
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             list(pool.map(lambda name: make(cls.folder, name), RUNS))
         cls.documents = {}

@@ -5,9 +5,7 @@ the atoms of the same frames, too.
 
 With MDANA_LONG_RUNS=DIR the run is kept in DIR, and taken from there if it is there."""
 
-import os
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "oracles"))
@@ -41,12 +39,10 @@ def labels(path):
 class Defects(running.Case):
     @classmethod
     def setUpClass(cls):
-        kept = os.environ.get("MDANA_LONG_RUNS")
-        scratch = tempfile.TemporaryDirectory(prefix="mdana-test-")
-        cls.addClassCleanup(scratch.cleanup)
-        cls.run_dir = Path(kept or scratch.name) / "defects_r10_v05"
+        folder = lammps.kept_runs(cls)
+        cls.run_dir = folder / "defects_r10_v05"
         if not (cls.run_dir / "scene.toml").is_file():
-            include = Path(scratch.name) / "labels.lmp"
+            include = folder / "labels.lmp"
             include.write_text(LABELS)
             lammps.generate("adhesive", "--preset", "small", "--velocity", "0.5", "--dump-interval", "1", "--include",
                             include, "--ranks", lammps.ranks(), "-o", cls.run_dir, timeout=3600)

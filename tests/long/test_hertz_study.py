@@ -4,9 +4,7 @@
 
 With MDANA_LONG_RUNS=DIR the runs are kept in DIR, and taken from there if they are there."""
 
-import os
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "oracles"))
@@ -22,10 +20,7 @@ SIZES = {8: (1, 2, 3), 10: (1, 2, 3)}
 class HertzStudy(running.Case):
     @classmethod
     def setUpClass(cls):
-        kept = os.environ.get("MDANA_LONG_RUNS")
-        scratch = tempfile.TemporaryDirectory(prefix="mdana-test-")
-        cls.addClassCleanup(scratch.cleanup)
-        folder = Path(kept or scratch.name)
+        folder = lammps.kept_runs(cls)
         cls.dumps = []
         for radius, seeds in SIZES.items():
             for seed in seeds:

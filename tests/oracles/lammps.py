@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the oracle tests share: the helpers of tests/cli, and runs of sample-data/generate."""
 
+import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
@@ -44,3 +46,13 @@ def vectors(path):
         step, rows = lines.pop(0)
         found[int(step)] = np.array([[float(word) for word in lines.pop(0)[1:]] for _ in range(int(rows))])
     return found
+
+
+def kept_runs(case):
+    """The folder of a test class for runs: DIR of MDANA_LONG_RUNS=DIR, else one that goes with the class."""
+    if kept := os.environ.get("MDANA_LONG_RUNS"):
+        Path(kept).mkdir(parents=True, exist_ok=True)
+        return Path(kept)
+    scratch = tempfile.TemporaryDirectory(prefix="mdana-test-")
+    case.addClassCleanup(scratch.cleanup)
+    return Path(scratch.name)
