@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a case is: atoms to relax, and what is known of its dislocations."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass
+class Line:
+    """A dislocation line. Burgers vector in a/6, for a right-handed turn about the line in the order of its corners."""
+
+    burgers: tuple
+    corners: np.ndarray  # of a polygon [sigma]
+    closed: bool = False
+    length: float = 0  # 0: of the polygon
+    axes: np.ndarray = None  # of the crystal that burgers belongs to, if not the case's
+    role: str = ""
+    circuit: float = 3.5  # radius of the Burgers circuits that prove it
+
+    def __post_init__(self):
+        self.corners = np.asarray(self.corners, float)
+        self.burgers = [int(part) for part in self.burgers]
+        self.length = float(self.length or np.linalg.norm(self.segments(), axis=1).sum())
+
+    def segments(self):
+        ends = np.roll(self.corners, -1, axis=0) - self.corners
+        return ends if self.closed else ends[:-1]
+
+
+@dataclass
+class Case:
+    about: str
+    axes: np.ndarray  # rows: the laboratory's x, y, z in cube axes
+    places: np.ndarray  # [sigma]
+    lines: list
+    tolerance: dict
+    held: np.ndarray = None  # mask of atoms that stay where they are
+    dropped: np.ndarray = None  # mask of atoms that are left out in the end
+    steps: int = 300  # of the minimiser at most
+    found: str = ""  # what is otherwise than built
+
+    def __post_init__(self):
+        nothing = np.zeros(len(self.places), bool)
+        self.held = nothing if self.held is None else self.held
+        self.dropped = nothing if self.dropped is None else self.dropped

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases with closed lines in balls: loops and the stacking-fault tetrahedron."""
+
+import itertools
+
+import numpy as np
+
+from case import Case, Line
+from crystal import EDGE, LAYER, SPACING, fault_shifts, fcc_points, to_lab, turn
+from fields import circle, loop
+
+X, Y, Z = np.eye(3)
+
+
+def ball(axes, radius, origin):
+    places = fcc_points(axes, (radius,) * 3, origin)
+    return places[np.linalg.norm(places, axis=1) < radius]
+
+
+def shockley_loop(noise, steps, about):
+    """In the plane y = 0, anticlockwise about y."""
+    axes, radius = turn((1, 1, -2), (1, 1, 1)), 14.0
+    places = ball(axes, 20.0, (0.21, LAYER / 2, 0.13))
+    corners, shift = circle(radius, Z, X), fault_shifts(np.array([1, 1, 1]))[0]
+    places = places + loop(places, corners, to_lab(axes, shift))
+    places += np.random.default_rng(1).normal(0, 1, places.shape) * noise
+    line = Line(-shift, corners, closed=True, length=2 * np.pi * radius)
+    return Case(f"Shockley loop of radius 14 on (111), {about}", axes, places, [line],
+                {"relative": 0.02, "reason": "steps of the line from row to row of atoms"}, steps=steps)
+
+
+def prismatic(axes, shift, layers, cell, radius, origin, about):
+    """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom."""
+    places = ball(axes, 19.0, origin)
+    thickness = np.linalg.norm(to_lab(axes, shift))
+    inside = np.hypot(places[:, 0], places[:, 2]) < radius
+    if (axes @ shift)[1] > 0:
+        extra = places[inside & (places[:, 1] > 0) & (places[:, 1] < thickness)]
+        changed, more = len(extra), extra - [0, thickness / 2, 0]
+    else:
+        gone = inside & (np.abs(places[:, 1]) < thickness / 2)
+        changed, more = gone.sum(), np.zeros((0, 3))
+        places = places[~gone]
+    effective = np.sqrt(changed / layers * cell / np.pi)
+    corners = circle(effective, Z, X)
+    places = np.concatenate([places + loop(places, corners, to_lab(axes, shift)), more])
+    line = Line(-np.array(shift), corners, closed=True, length=2 * np.pi * effective)
+    return Case(f"{about}; radius {effective:.2f} by the area of the {changed} atoms", axes, places, [line],
+                {"relative": 0.06, "reason": "an edge of atoms is uncertain by half a spacing"})
+
+
+def frank_vacancy():
+    axes = turn((1, 1, -2), (1, 1, 1))
+    return prismatic(axes, (-2, -2, -2), 1, SPACING**2 * np.sqrt(3) / 2, 9.0, (0.21, 0, 0.13),
+                     "Frank loop, one layer of (111) missing")
+
+
+def frank_interstitial():
+    axes = turn((1, 1, -2), (1, 1, 1))
+    return prismatic(axes, (2, 2, 2), 1, SPACING**2 * np.sqrt(3) / 2, 9.0, (0.21, LAYER / 2, 0.13),
+                     "Frank loop, one more layer of (111)")
+
+
+def prismatic_interstitial():
+    axes = turn((0, 0, 1), (1, 1, 0))
+    return prismatic(axes, (3, 3, 0), 2, EDGE * SPACING, 9.0, (0.21, SPACING / 4, 0.13),
+                     "perfect prismatic loop, two more layers of (220)")
+
+
+NORMALS = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])  # of the tetrahedron, outward
+
+
+def tetrahedron_shifts():
+    """What lies outside each face moves by: Frank's 1/3<111> inward at the first, such that all edges are stair-rods."""
+    for shifts in itertools.product([-2 * NORMALS[0]], *(fault_shifts(n) for n in NORMALS[1:])):
+        edges = [np.sort(np.abs(a - b)) for a, b in itertools.combinations(shifts, 2)]
+        if all((edge == (0, 1, 1)).all() for edge in edges):
+            return np.array(shifts)
+    raise AssertionError("no stair-rods")
+
+
+def stacking_fault_tetrahedron(rows):
+    """After Silcox & Hirsch (1959): a triangle of vacancies, `rows` along each edge, whose fault opens to three more."""
+    axes = turn((1, -1, 0), (1, 1, 1))
+    places = ball(axes, 19.0, (0, 0, 0))
+    return axes, places, rows
+
+
+LOOPS = {
+    "shockley_loop": lambda: shockley_loop(0, 0, "displaced exactly, not relaxed"),
+    "shockley_loop_0.001": lambda: shockley_loop(1e-3, 0, "noise of 0.001, not relaxed"),
+    "shockley_loop_0.05": lambda: shockley_loop(0.05, 0, "noise of 0.05, not relaxed"),
+    "shockley_loop_relaxed": lambda: shockley_loop(0, 15, "relaxed a little"),
+    "frank_vacancy": frank_vacancy, "frank_interstitial": frank_interstitial,
+    "prismatic": prismatic_interstitial,
+}
