@@ -64,9 +64,9 @@ def film(half, layers):
 def lomer_cottrell():
     axes = turn((1, -1, 0), (0, 0, 1))
     total, faults = np.array([3, 3, 0]), {(1, 1, 1): (1, 1, -2), (1, 1, -1): (1, 1, 2)}
-    places = in_rod(fcc_points(axes, (RADIUS, RADIUS, HALF), (-EDGE / np.sqrt(8), 0, 0.13)))
-    junction, lines = np.array([0.0, 3.0]), []  # between two layers of both {111}
-    places[:, 1] += junction[1]
+    junction, lines = np.array([0.0, 3.0]), []
+    origin = (-EDGE / np.sqrt(8), junction[1], 0.13)  # puts the junction between two layers of both {111}
+    places = in_rod(fcc_points(axes, (RADIUS, RADIUS, HALF), origin))
     u = straight(places, junction + [0.02, 0.03], to_lab(axes, total))
     stair_rod = total.copy()
     for normal, shift in faults.items():
@@ -75,7 +75,6 @@ def lomer_cottrell():
         lines.append(along_z(places, junction + 9 * away, shift))
         stair_rod -= shift
     lines.append(along_z(places, junction, stair_rod))
-    places = in_rod(places)
     return Case("Lomer-Cottrell lock: a stair-rod and two Shockley partials on (111) and (11-1)", axes, places + u, lines,
                 ENDS, held=near_side(places))
 

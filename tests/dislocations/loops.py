@@ -81,9 +81,29 @@ def tetrahedron_shifts():
 
 def stacking_fault_tetrahedron(rows):
     """After Silcox & Hirsch (1959): a triangle of vacancies, `rows` along each edge, whose fault opens to three more."""
-    axes = turn((1, -1, 0), (1, 1, 1))
-    places = ball(axes, 19.0, (0, 0, 0))
-    return axes, places, rows
+    axes, side = turn((1, -1, 0), (1, 1, 1)), (rows - 1) * SPACING
+    outward = NORMALS @ axes.T / np.sqrt(3)
+    inradius = side / np.sqrt(24)
+    centre = np.array([0, -inradius, 0])
+    triangle = centre - 3 * inradius * outward[1:]
+    places = ball(axes, 19.0, triangle[0])
+    from_centre = (places - centre) @ outward.T
+    gone = (np.abs(from_centre[:, 0] - inradius) < 0.1) & (from_centre[:, 1:] < inradius + 0.1).all(1)
+    distances = inradius + np.array([0, 1, 1, 1]) * LAYER / 2  # the faults run between two layers
+    corners = centre + np.array([np.linalg.solve(np.delete(outward, k, 0), np.delete(distances, k)) for k in range(4)])
+    places, u, lines, shifts = places[~gone], 0, [], tetrahedron_shifts()
+    for k in range(4):
+        face = np.delete(np.arange(4), k)
+        if np.linalg.det(corners[face] - corners[k]) < 0:  # clockwise from outside
+            face = face[::-1]
+        u = u + loop(places, corners[face], to_lab(axes, shifts[k]))
+        for first, last in zip(face, np.roll(face, -1)):
+            other = 6 - k - first - last
+            if k < other:
+                lines.append(Line(shifts[other] - shifts[k], corners[[first, last]]))
+    about = f"stacking-fault tetrahedron of {gone.sum()} vacancies, {rows} along each edge of the triangle"
+    return Case(about, axes, places + u, lines,
+                {"relative": 0.1, "reason": "where an edge of atoms ends is uncertain by half a spacing at each corner"})
 
 
 LOOPS = {
@@ -92,5 +112,5 @@ LOOPS = {
     "shockley_loop_0.05": lambda: shockley_loop(0.05, 0, "noise of 0.05, not relaxed"),
     "shockley_loop_relaxed": lambda: shockley_loop(0, 15, "relaxed a little"),
     "frank_vacancy": frank_vacancy, "frank_interstitial": frank_interstitial,
-    "prismatic": prismatic_interstitial,
+    "prismatic": prismatic_interstitial, "tetrahedron": lambda: stacking_fault_tetrahedron(12),
 }
