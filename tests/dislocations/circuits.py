@@ -17,9 +17,9 @@ class NoCircuit(Exception):
     """There is no path of crystalline atoms about the place, or a bond on it is unclear."""
 
 
-def burgers(places, labels, axes, centre, direction, radius):
-    """b in a/6 of what a right-handed circle about the direction encloses: minus the sum of the ideal vectors of its bonds."""
-    axes = np.asarray(axes)
+def burgers(places, labels, case, axes, centre, direction, radius):
+    """b in a/6 of what a right-handed circle about the direction encloses: minus the sum of the ideal vectors of its bonds,
+    in the frame of axes, or of the case's."""
     w = unit(direction)
     u = unit(np.cross(w, [0.36, 0.48, 0.8]))
     v = np.cross(w, u)
@@ -36,12 +36,17 @@ def burgers(places, labels, axes, centre, direction, radius):
     if off.max() > 1.5 * SPACING:
         raise NoCircuit(f"no crystalline atom within {off.max():.2f} of the circle")
     neighbours = tree.query_ball_point(places[atoms], 1.3 * SPACING)
-    total = np.zeros(3, int)
+    total = np.zeros(3)
     for first, last in zip(stops, np.roll(stops, -1)):
         way = path(neighbours, first, last)
         for a, b in zip(way, way[1:]):
-            total += ideal(places[atoms[b]] - places[atoms[a]], axes, labels[atoms[a]] == labels[atoms[b]] == HCP)
-    return -total
+            start, end = places[atoms[a]], places[atoms[b]]
+            turn = case.axes_at((start + end) / 2)
+            total += turn @ ideal((end - start) @ turn, HCP in (labels[atoms[a]], labels[atoms[b]]))
+    result = -total @ (case.axes if axes is None else axes)
+    if np.abs(result - result.round()).max() > 1e-6:
+        raise NoCircuit(f"not a vector of the crystal: {result.round(3)}")
+    return [int(part) for part in result.round()]
 
 
 def path(neighbours, first, last):
@@ -63,10 +68,10 @@ def path(neighbours, first, last):
     return way[::-1]
 
 
-def ideal(bond, axes, faulted):
-    """The crystal's vector (a/6) that a bond stands for; between two atoms of a fault those of hcp, too."""
+def ideal(bond, faulted):
+    """The crystal's vector (a/6) that a bond in its axes stands for; at atoms of a fault those of hcp, too."""
     vectors = np.concatenate([FCC_NEIGHBOURS, HCP_NEIGHBOURS]) if faulted else FCC_NEIGHBOURS
-    misfit = np.linalg.norm(vectors - bond @ axes * 6 / EDGE, axis=1)
+    misfit = np.linalg.norm(vectors - bond * 6 / EDGE, axis=1)
     if misfit.min() > CLEAR * SPACING * 6 / EDGE:
         raise NoCircuit(f"a bond is {misfit.min() * EDGE / 6 / SPACING:.2f} spacings from any of the crystal's")
     return vectors[misfit.argmin()]

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+import measure
 from case import Case, Line
 from crystal import EDGE, LAYER, fault_shifts, fcc_points, mirrored, to_lab, turn, twin_lamella
 from fields import moved, straight
@@ -27,6 +28,11 @@ def along_z(places, at, burgers, **more):
     return Line(burgers, np.array([[*at, low], [*at, high]]), **more)
 
 
+def follow(case, places, labels):
+    for line in case.lines:
+        line.corners = measure.straight(line, places, labels)
+
+
 def dissociated(places, axes, total, leading, start, end):
     """Displacement of total in two partials, with a fault from start to end (x, y); and the two lines."""
     u = straight(places, start, to_lab(axes, total)) + moved(places, start, end, to_lab(axes, leading))
@@ -40,7 +46,7 @@ def on_glide_plane(line, normal, total, width, about, **more):
     leading = next(s for s in fault_shifts(np.array(normal)) if np.dot(s, total) > 0)
     places = in_rod(fcc_points(axes, (RADIUS, RADIUS, HALF), OFF_ATOMS))
     u, lines = dissociated(places, axes, total, leading, (-width / 2, 0), (width / 2, 0))
-    return Case(about, axes, places + u, lines, ENDS, held=near_side(places), **more)
+    return Case(about, axes, places + u, lines, ENDS, held=near_side(places), measure=follow, **more)
 
 
 def edge():
@@ -76,7 +82,7 @@ def lomer_cottrell():
         stair_rod -= shift
     lines.append(along_z(places, junction, stair_rod))
     return Case("Lomer-Cottrell lock: a stair-rod and two Shockley partials on (111) and (11-1)", axes, places + u, lines,
-                ENDS, held=near_side(places))
+                ENDS, held=near_side(places), measure=follow)
 
 
 def twin_lamella_screw():
@@ -89,7 +95,8 @@ def twin_lamella_screw():
     height = (np.array([0.21, -half]) @ across) % LAYER - LAYER / 2  # between two layers, near the middle
     u, lines = dissociated(places, twin, total, leading, height * across - 4 * away, height * across + 4 * away)
     return Case("screw dislocation 1/2<110> in two Shockley partials on the inclined {111} of a twin lamella of 18 layers",
-                axes, places + u, lines, ENDS, held=near_side(places))
+                axes, places + u, lines, ENDS, held=near_side(places), measure=follow,
+                grain=lambda place: twin if abs(place[1]) < half else axes)
 
 
 def twin_crossing():
@@ -101,7 +108,7 @@ def twin_crossing():
     u = straight(places, (0.1, 0.15), to_lab(axes, (3, -3, 0)))
     lines = [along_z(places, (0.1, 0.15), (3, -3, 0))]
     return Case("edge dislocation 1/2[1-10] along [111], across a twin lamella of 12 layers whose planes hold b", axes,
-                places + u, lines, ENDS, held=near_side(places), steps=20)
+                places + u, lines, ENDS, held=near_side(places), measure=follow)
 
 
 LINES = {

@@ -5,11 +5,17 @@ import itertools
 
 import numpy as np
 
+import measure
 from case import Case, Line
 from crystal import EDGE, LAYER, SPACING, fault_shifts, fcc_points, to_lab, turn
 from fields import circle, loop
 
 X, Y, Z = np.eye(3)
+
+
+def follow(case, places, labels):
+    for line in case.lines:
+        line.corners = measure.loop(line, places, labels)
 
 
 def ball(axes, radius, origin):
@@ -24,47 +30,50 @@ def shockley_loop(noise, steps, about):
     corners, shift = circle(radius, Z, X), fault_shifts(np.array([1, 1, 1]))[0]
     places = places + loop(places, corners, to_lab(axes, shift))
     places += np.random.default_rng(1).normal(0, 1, places.shape) * noise
-    line = Line(-shift, corners, closed=True, length=2 * np.pi * radius)
+    line = Line(-shift, corners, closed=True)
     return Case(f"Shockley loop of radius 14 on (111), {about}", axes, places, [line],
-                {"relative": 0.02, "reason": "steps of the line from row to row of atoms"}, steps=steps)
+                {"relative": 0.02, "reason": "steps of the line from row to row of atoms"},
+                steps=steps, measure=follow if steps else None)
 
 
-def prismatic(axes, shift, layers, cell, radius, origin, about):
+def prismatic(axes, shift, layers, cell, radius, origin, about, **more):
     """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom."""
     places = ball(axes, 19.0, origin)
     thickness = np.linalg.norm(to_lab(axes, shift))
     inside = np.hypot(places[:, 0], places[:, 2]) < radius
     if (axes @ shift)[1] > 0:
         extra = places[inside & (places[:, 1] > 0) & (places[:, 1] < thickness)]
-        changed, more = len(extra), extra - [0, thickness / 2, 0]
+        changed, added = len(extra), extra - [0, thickness / 2, 0]
     else:
         gone = inside & (np.abs(places[:, 1]) < thickness / 2)
-        changed, more = gone.sum(), np.zeros((0, 3))
+        changed, added = gone.sum(), np.zeros((0, 3))
         places = places[~gone]
     effective = np.sqrt(changed / layers * cell / np.pi)
     corners = circle(effective, Z, X)
-    places = np.concatenate([places + loop(places, corners, to_lab(axes, shift)), more])
-    line = Line(-np.array(shift), corners, closed=True, length=2 * np.pi * effective)
+    places = np.concatenate([places + loop(places, corners, to_lab(axes, shift)), added])
+    line = Line(-np.array(shift), corners, closed=True)
+    if more.get("net"):
+        line.circuit = 5.5
     return Case(f"{about}; radius {effective:.2f} by the area of the {changed} atoms", axes, places, [line],
-                {"relative": 0.06, "reason": "an edge of atoms is uncertain by half a spacing"})
+                {"relative": 0.06, "reason": "an edge of atoms is uncertain by half a spacing"}, **more)
 
 
-def frank_vacancy():
+def frank_vacancy(**more):
     axes = turn((1, 1, -2), (1, 1, 1))
     return prismatic(axes, (-2, -2, -2), 1, SPACING**2 * np.sqrt(3) / 2, 9.0, (0.21, 0, 0.13),
-                     "Frank loop, one layer of (111) missing")
+                     "Frank loop, one layer of (111) missing", **more)
 
 
-def frank_interstitial():
+def frank_interstitial(**more):
     axes = turn((1, 1, -2), (1, 1, 1))
     return prismatic(axes, (2, 2, 2), 1, SPACING**2 * np.sqrt(3) / 2, 9.0, (0.21, LAYER / 2, 0.13),
-                     "Frank loop, one more layer of (111)")
+                     "Frank loop, one more layer of (111)", **more)
 
 
-def prismatic_interstitial():
+def prismatic_interstitial(**more):
     axes = turn((0, 0, 1), (1, 1, 0))
     return prismatic(axes, (3, 3, 0), 2, EDGE * SPACING, 9.0, (0.21, SPACING / 4, 0.13),
-                     "perfect prismatic loop, two more layers of (220)")
+                     "perfect prismatic loop, two more layers of (220)", **more)
 
 
 NORMALS = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])  # of the tetrahedron, outward
@@ -79,6 +88,22 @@ def tetrahedron_shifts():
     raise AssertionError("no stair-rods")
 
 
+def face(corners, k):
+    """The three corners besides k, anticlockwise from outside."""
+    three = np.delete(np.arange(4), k)
+    return three if np.linalg.det(corners[three] - corners[k]) > 0 else three[::-1]
+
+
+def edges(shifts, corners):
+    lines = []
+    for k in range(4):
+        for first, last in zip(face(corners, k), np.roll(face(corners, k), -1)):
+            other = 6 - k - first - last
+            if k < other:
+                lines.append(Line(shifts[other] - shifts[k], corners[[first, last]]))
+    return lines
+
+
 def stacking_fault_tetrahedron(rows):
     """After Silcox & Hirsch (1959): a triangle of vacancies, `rows` along each edge, whose fault opens to three more."""
     axes, side = turn((1, -1, 0), (1, 1, 1)), (rows - 1) * SPACING
@@ -91,26 +116,29 @@ def stacking_fault_tetrahedron(rows):
     gone = (np.abs(from_centre[:, 0] - inradius) < 0.1) & (from_centre[:, 1:] < inradius + 0.1).all(1)
     distances = inradius + np.array([0, 1, 1, 1]) * LAYER / 2  # the faults run between two layers
     corners = centre + np.array([np.linalg.solve(np.delete(outward, k, 0), np.delete(distances, k)) for k in range(4)])
-    places, u, lines, shifts = places[~gone], 0, [], tetrahedron_shifts()
-    for k in range(4):
-        face = np.delete(np.arange(4), k)
-        if np.linalg.det(corners[face] - corners[k]) < 0:  # clockwise from outside
-            face = face[::-1]
-        u = u + loop(places, corners[face], to_lab(axes, shifts[k]))
-        for first, last in zip(face, np.roll(face, -1)):
-            other = 6 - k - first - last
-            if k < other:
-                lines.append(Line(shifts[other] - shifts[k], corners[[first, last]]))
+    places, shifts = places[~gone], tetrahedron_shifts()
+    u = sum(loop(places, corners[face(corners, k)], to_lab(axes, shifts[k])) for k in range(4))
     about = f"stacking-fault tetrahedron of {gone.sum()} vacancies, {rows} along each edge of the triangle"
-    return Case(about, axes, places + u, lines,
-                {"relative": 0.1, "reason": "where an edge of atoms ends is uncertain by half a spacing at each corner"})
+
+    def follow_faces(case, labelled_places, labels):
+        case.lines = edges(shifts, measure.tetrahedron(centre, outward, inradius, labelled_places, labels))
+
+    return Case(about, axes, places + u, edges(shifts, corners),
+                {"relative": 0.1, "reason": "where an edge of atoms ends is uncertain by half a spacing at each corner"},
+                measure=follow_faces)
 
 
+BRIEFLY = {"steps": 20, "measure": follow, "found": "minimised in 20 steps only: further on, the line dissociates"}
+FULLY = {"net": True, "found": "the line has dissociated: what is known is the sum of the Burgers vectors in the discs"}
 LOOPS = {
     "shockley_loop": lambda: shockley_loop(0, 0, "displaced exactly, not relaxed"),
     "shockley_loop_0.001": lambda: shockley_loop(1e-3, 0, "noise of 0.001, not relaxed"),
     "shockley_loop_0.05": lambda: shockley_loop(0.05, 0, "noise of 0.05, not relaxed"),
     "shockley_loop_relaxed": lambda: shockley_loop(0, 15, "relaxed a little"),
-    "frank_vacancy": frank_vacancy, "frank_interstitial": frank_interstitial,
-    "prismatic": prismatic_interstitial, "tetrahedron": lambda: stacking_fault_tetrahedron(12),
+    "frank_vacancy": lambda: frank_vacancy(**BRIEFLY), "frank_interstitial": lambda: frank_interstitial(**BRIEFLY),
+    "prismatic": lambda: prismatic_interstitial(**BRIEFLY),
+    "frank_vacancy_relaxed": lambda: frank_vacancy(**FULLY),
+    "frank_interstitial_relaxed": lambda: frank_interstitial(**FULLY),
+    "prismatic_relaxed": lambda: prismatic_interstitial(**FULLY),
+    "tetrahedron": lambda: stacking_fault_tetrahedron(12),
 }

@@ -6,49 +6,32 @@ import numpy as np
 from circuits import FCC, HCP, OTHER, NoCircuit, burgers
 from crystal import unit
 
-SURFACE = 12  # neighbours that an atom inside has
 
-
-def read(file):
+def labelled(file):
+    """Places and labels of LAMMPS' compute cna/atom."""
     with open(file) as lines:
-        for line in lines:
-            if line.startswith("ITEM: ATOMS"):
-                break
-        return np.loadtxt(lines)
+        while not next(lines).startswith("ITEM: ATOMS"):
+            pass
+        table = np.loadtxt(lines)
+    return table[:, 1:4], table[:, 4].astype(int)
 
 
-def of(case, folder):
-    """What circuits about each line give, at three places; the circuits follow the cores to where they are found."""
-    places, labels = read(folder / "dump.lammpstrj")[:, 2:5], read(folder / "labels.dump")[:, 1].astype(int)
+def of(case, places, labels):
+    """Burgers vectors of circuits about each line at three places: of all lines through each of these discs together."""
     counts = {name: int((labels == label).sum()) for name, label in (("fcc", FCC), ("hcp", HCP), ("other", OTHER))}
-    results = [counts]
-    for line in case.lines:
-        axes = case.axes if line.axes is None else line.axes
-        segments = line.segments()
-        for fraction in (0.25, 0.5, 0.75):
-            number = int(fraction * len(segments))
-            direction = unit(segments[number])
-            planned = line.corners[number] + (fraction if len(segments) < 3 else 0.5) * segments[number]
-            centre = core(places, labels, planned, direction)
-            try:
-                found = [int(part) for part in burgers(places, labels, axes, centre, direction, line.circuit)]
-            except NoCircuit as reason:
-                found = str(reason)
-            results.append({"planned": planned.round(2).tolist(), "at": centre.round(2).tolist(), "claimed": line.burgers,
-                            "found": found})
-    return results
+    discs = [disc(case, line, fraction, places, labels) for line in case.lines for fraction in (0.25, 0.5, 0.75)]
+    return {"labels": counts, "proved": all(d["burgers"] == d["claimed"] for d in discs), "discs": discs}
 
 
-def core(places, labels, near, direction):
-    """Middle of the atoms without structure about a place, across the line."""
-    centre = np.array(near, float)
-    for _ in range(3):
-        away = places - centre
-        along = away @ direction
-        across = np.linalg.norm(away - np.outer(along, direction), axis=1)
-        chosen = (labels == OTHER) & (np.abs(along) < 2) & (across < 3)
-        if not chosen.any():
-            break
-        shift = away[chosen].mean(0)
-        centre = centre + shift - (shift @ direction) * direction
-    return centre
+def disc(case, line, fraction, places, labels):
+    segments = line.segments()
+    exact = fraction * len(segments)
+    number = int(exact)
+    centre = line.corners[number] + (exact - number) * segments[number]
+    direction = unit(segments[number])
+    try:
+        found = burgers(places, labels, case, line.axes, centre, direction, line.circuit)
+    except NoCircuit as reason:
+        found = str(reason)
+    return {"centre": centre.round(3).tolist(), "normal": direction.round(6).tolist(), "radius": line.circuit,
+            "claimed": line.burgers, "burgers": found}
