@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a case is: atoms to relax, and what is known of its dislocations."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Callable
 
 import numpy as np
@@ -17,6 +17,7 @@ class Line:
     axes: np.ndarray = None  # of the crystal that burgers belongs to, if not the case's
     role: str = ""
     circuit: float = 3.5  # radius of the Burgers circuits that prove it
+    parted: dict = field(default_factory=dict)  # part of the way along the line (0 to 1): what is in the circuit there instead
 
     def __post_init__(self):
         self.corners = np.asarray(self.corners, float)

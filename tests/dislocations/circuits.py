@@ -10,6 +10,7 @@ from crystal import EDGE, FCC_NEIGHBOURS, HCP_NEIGHBOURS, SPACING, unit
 
 FCC, HCP, OTHER = 1, 2, 5
 WAYPOINTS = 12
+LONGEST = 12  # bonds from one to the next; the other way round has more
 CLEAR = 0.25  # of the spacing: how far a bond may be from what it is taken for; the nearest two are 0.47 apart
 
 
@@ -35,7 +36,7 @@ def burgers(places, labels, case, axes, centre, direction, radius):
     off, stops = tree.query(ring)
     if off.max() > 1.5 * SPACING:
         raise NoCircuit(f"no crystalline atom within {off.max():.2f} of the circle")
-    neighbours = tree.query_ball_point(places[atoms], 1.3 * SPACING)
+    neighbours = tree.query_ball_point(places[atoms], 1.2 * SPACING)
     total = np.zeros(3)
     for first, last in zip(stops, np.roll(stops, -1)):
         way = path(neighbours, first, last)
@@ -63,7 +64,7 @@ def path(neighbours, first, last):
     way = [last]
     while before[way[-1]] is not None:
         way.append(before[way[-1]])
-    if len(way) > 2 + 4 * 2 * np.pi / WAYPOINTS * 8:
+    if len(way) > LONGEST:
         raise NoCircuit("a path goes round the other way")
     return way[::-1]
 

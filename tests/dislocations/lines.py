@@ -59,11 +59,24 @@ def screw():
                           "screw dislocation 1/2[1-10] on (111), in two Shockley partials")
 
 
-def film(half, layers):
+def film(layers):
     """The rod of `edge`, relaxed, of which the layers next to the glide plane are kept."""
     case = edge()
-    case.about = f"{case.about}; of the relaxed rod {2 * layers} layers of {{111}} are left, |y| < {half}"
-    case.dropped = np.abs(case.places[:, 1]) > layers * LAYER
+    half = layers * LAYER
+    case.about = f"{case.about}; of the relaxed rod a film of {2 * layers} layers of (111) is left, |y| < {half:.2f}"
+    case.dropped = np.abs(case.places[:, 1]) > half
+    return case
+
+
+def film_across(half):
+    """The leading partial of `edge` in the middle of a film normal to x; the fault goes from it to one surface."""
+    case = edge()
+    case.steps = 10
+    case.lines = case.lines[1:]
+    case.about = f"leading partial of: {case.about}; of the rod a film normal to [-110] is left, {half} to either side"
+    case.found = "minimised in 10 steps only: further on, the partial leaves its place"
+    core = case.lines[0].corners[0, 0] + 0.5  # where it settles
+    case.dropped = np.abs(case.places[:, 0] - core) > half
     return case
 
 
@@ -112,6 +125,7 @@ def twin_crossing():
 
 
 LINES = {
-    "edge": edge, "screw": screw, "film_2.0": lambda: film(2.0, 2), "film_2.5": lambda: film(2.5, 3),
+    "edge": edge, "screw": screw, "film_1.8": lambda: film(2), "film_2.7": lambda: film(3),
+    "film_across_2.0": lambda: film_across(2.0), "film_across_2.5": lambda: film_across(2.5),
     "lomer_cottrell": lomer_cottrell, "twin_lamella": twin_lamella_screw, "twin_crossing": twin_crossing,
 }

@@ -36,14 +36,15 @@ def shockley_loop(noise, steps, about):
                 steps=steps, measure=follow if steps else None)
 
 
-def prismatic(axes, shift, layers, cell, radius, origin, about, **more):
-    """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom."""
+def prismatic(axes, shift, layers, cell, radius, origin, about, aside=(0, 0, 0), parted=None, **more):
+    """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom; aside: what
+    is put in is shifted within its plane, since the stacking of {111} repeats in three layers only."""
     places = ball(axes, 19.0, origin)
     thickness = np.linalg.norm(to_lab(axes, shift))
     inside = np.hypot(places[:, 0], places[:, 2]) < radius
     if (axes @ shift)[1] > 0:
         extra = places[inside & (places[:, 1] > 0) & (places[:, 1] < thickness)]
-        changed, added = len(extra), extra - [0, thickness / 2, 0]
+        changed, added = len(extra), extra - [0, thickness / 2, 0] + to_lab(axes, aside)
     else:
         gone = inside & (np.abs(places[:, 1]) < thickness / 2)
         changed, added = gone.sum(), np.zeros((0, 3))
@@ -53,9 +54,9 @@ def prismatic(axes, shift, layers, cell, radius, origin, about, **more):
     places = np.concatenate([places + loop(places, corners, to_lab(axes, shift)), added])
     line = Line(-np.array(shift), corners, closed=True)
     if more.get("net"):
-        line.circuit = 5.5
+        line.circuit, line.parted = 5.5, parted or {}
     return Case(f"{about}; radius {effective:.2f} by the area of the {changed} atoms", axes, places, [line],
-                {"relative": 0.06, "reason": "an edge of atoms is uncertain by half a spacing"}, **more)
+                {"relative": 0.06, "reason": "the edge of the disc is uncertain by half a spacing"}, **more)
 
 
 def frank_vacancy(**more):
@@ -67,7 +68,7 @@ def frank_vacancy(**more):
 def frank_interstitial(**more):
     axes = turn((1, 1, -2), (1, 1, 1))
     return prismatic(axes, (2, 2, 2), 1, SPACING**2 * np.sqrt(3) / 2, 9.0, (0.21, LAYER / 2, 0.13),
-                     "Frank loop, one more layer of (111)", **more)
+                     "Frank loop, one more layer of (111)", fault_shifts(np.array([1, 1, 1]))[0], **more)
 
 
 def prismatic_interstitial(**more):
@@ -128,7 +129,7 @@ def stacking_fault_tetrahedron(rows):
                 measure=follow_faces)
 
 
-BRIEFLY = {"steps": 20, "measure": follow, "found": "minimised in 20 steps only: further on, the line dissociates"}
+BRIEFLY = {"steps": 20, "found": "minimised in 20 steps only: further on, the line dissociates"}
 FULLY = {"net": True, "found": "the line has dissociated: what is known is the sum of the Burgers vectors in the discs"}
 LOOPS = {
     "shockley_loop": lambda: shockley_loop(0, 0, "displaced exactly, not relaxed"),
@@ -139,6 +140,6 @@ LOOPS = {
     "prismatic": lambda: prismatic_interstitial(**BRIEFLY),
     "frank_vacancy_relaxed": lambda: frank_vacancy(**FULLY),
     "frank_interstitial_relaxed": lambda: frank_interstitial(**FULLY),
-    "prismatic_relaxed": lambda: prismatic_interstitial(**FULLY),
+    "prismatic_relaxed": lambda: prismatic_interstitial(parted={0.25: (-1, -2, 1)}, **FULLY),
     "tetrahedron": lambda: stacking_fault_tetrahedron(12),
 }

@@ -34,4 +34,4 @@ def disc(case, line, fraction, places, labels):
     except NoCircuit as reason:
         found = str(reason)
     return {"centre": centre.round(3).tolist(), "normal": direction.round(6).tolist(), "radius": line.circuit,
-            "claimed": line.burgers, "burgers": found}
+            "claimed": list(line.parted.get(fraction, line.burgers)), "burgers": found}
