@@ -10,7 +10,7 @@ from case import Case, Line
 from crystal import EDGE, LAYER, SPACING, fault_shifts, fcc_points, to_lab, turn
 from fields import circle, loop
 
-X, Y, Z = np.eye(3)
+X, _, Z = np.eye(3)
 
 
 def follow(case, places, labels):
@@ -32,13 +32,13 @@ def shockley_loop(noise, steps, about):
     places += np.random.default_rng(1).normal(0, 1, places.shape) * noise
     line = Line(-shift, corners, closed=True)
     return Case(f"Shockley loop of radius 14 on (111), {about}", axes, places, [line],
-                {"relative": 0.02, "reason": "steps of the line from row to row of atoms"},
+                {"relative": 0.03 if steps else 0.02, "reason": "steps of the line from row to row of atoms"},
                 steps=steps, measure=follow if steps else None)
 
 
 def prismatic(axes, shift, layers, cell, radius, origin, about, aside=(0, 0, 0), parted=None, **more):
-    """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom; aside: what
-    is put in is shifted within its plane, since the stacking of {111} repeats in three layers only."""
+    """Layers parallel to y = 0 taken out (shift against y) or put in (along y) within a disc; cell: area of an atom;
+    aside: what is put in is a copy of the layers above, shifted so that it is not stacked like them."""
     places = ball(axes, 19.0, origin)
     thickness = np.linalg.norm(to_lab(axes, shift))
     inside = np.hypot(places[:, 0], places[:, 2]) < radius
@@ -135,7 +135,7 @@ LOOPS = {
     "shockley_loop": lambda: shockley_loop(0, 0, "displaced exactly, not relaxed"),
     "shockley_loop_0.001": lambda: shockley_loop(1e-3, 0, "noise of 0.001, not relaxed"),
     "shockley_loop_0.05": lambda: shockley_loop(0.05, 0, "noise of 0.05, not relaxed"),
-    "shockley_loop_relaxed": lambda: shockley_loop(0, 15, "relaxed a little"),
+    "shockley_loop_relaxed": lambda: shockley_loop(0, 15, "minimised in 15 steps only, as it shrinks"),
     "frank_vacancy": lambda: frank_vacancy(**BRIEFLY), "frank_interstitial": lambda: frank_interstitial(**BRIEFLY),
     "prismatic": lambda: prismatic_interstitial(**BRIEFLY),
     "frank_vacancy_relaxed": lambda: frank_vacancy(**FULLY),
