@@ -17,7 +17,7 @@ class Line:
     axes: np.ndarray = None  # of the crystal that burgers belongs to, if not the case's
     role: str = ""
     circuit: float = 3.5  # radius of the Burgers circuits that prove it
-    parted: dict = field(default_factory=dict)  # part of the way along the line (0 to 1): what is in the circuit there instead
+    parted: dict = field(default_factory=dict)  # at a part of the way (0 to 1): what is in the circuit there instead
 
     def __post_init__(self):
         self.corners = np.asarray(self.corners, float)

@@ -19,35 +19,37 @@ class NoCircuit(Exception):
 
 
 def burgers(places, labels, case, axes, centre, direction, radius):
-    """b in a/6 of what a right-handed circle about the direction encloses: minus the sum of the ideal vectors of its bonds,
-    in the frame of axes, or of the case's."""
-    w = unit(direction)
-    u = unit(np.cross(w, [0.36, 0.48, 0.8]))
-    v = np.cross(w, u)
-    relative = places - centre
-    across, along = np.hypot(relative @ u, relative @ v), relative @ w
-    good = np.isin(labels, (FCC, HCP)) & (np.abs(across - radius) < 1.3) & (np.abs(along) < 2)
-    atoms = np.flatnonzero(good)
-    if not len(atoms):
-        raise NoCircuit("no crystalline atoms")
-    tree = cKDTree(places[atoms])
-    angle = 2 * np.pi * np.arange(WAYPOINTS) / WAYPOINTS
-    ring = centre + radius * (np.outer(np.cos(angle), u) + np.outer(np.sin(angle), v))
-    off, stops = tree.query(ring)
-    if off.max() > 1.5 * SPACING:
-        raise NoCircuit(f"no crystalline atom within {off.max():.2f} of the circle")
-    neighbours = tree.query_ball_point(places[atoms], 1.2 * SPACING)
+    """b in a/6 of what a right-handed circle about the direction encloses, in the frame of axes, or of the case's:
+    minus the sum of the ideal vectors of its bonds."""
     total = np.zeros(3)
-    for first, last in zip(stops, np.roll(stops, -1)):
-        way = path(neighbours, first, last)
-        for a, b in zip(way, way[1:]):
-            start, end = places[atoms[a]], places[atoms[b]]
-            turn = case.axes_at((start + end) / 2)
-            total += turn @ ideal((end - start) @ turn, HCP in (labels[atoms[a]], labels[atoms[b]]))
+    way = circuit(places, labels, centre, direction, radius)
+    for a, b in zip(way, np.roll(way, -1)):
+        turn = case.axes_at((places[a] + places[b]) / 2)
+        total += turn @ ideal((places[b] - places[a]) @ turn, HCP in (labels[a], labels[b]))
     result = -total @ (case.axes if axes is None else axes)
     if np.abs(result - result.round()).max() > 1e-6:
         raise NoCircuit(f"not a vector of the crystal: {result.round(3)}")
     return [int(part) for part in result.round()]
+
+
+def circuit(places, labels, centre, direction, radius):
+    """Crystalline atoms near the circle, each a neighbour of the one before, and the first of the last."""
+    w = unit(direction)
+    u = unit(np.cross(w, [0.36, 0.48, 0.8]))
+    v = np.cross(w, u)
+    relative = places - centre
+    off = np.abs(np.hypot(relative @ u, relative @ v) - radius)
+    atoms = np.flatnonzero(np.isin(labels, (FCC, HCP)) & (off < 1.3) & (np.abs(relative @ w) < 2))
+    if not len(atoms):
+        raise NoCircuit("no crystalline atoms")
+    tree = cKDTree(places[atoms])
+    angle = 2 * np.pi * np.arange(WAYPOINTS) / WAYPOINTS
+    gap, stops = tree.query(centre + radius * (np.outer(np.cos(angle), u) + np.outer(np.sin(angle), v)))
+    if gap.max() > 1.5 * SPACING:
+        raise NoCircuit(f"no crystalline atom within {gap.max():.2f} of the circle")
+    neighbours = tree.query_ball_point(places[atoms], 1.2 * SPACING)
+    ways = [path(neighbours, first, last)[:-1] for first, last in zip(stops, np.roll(stops, -1))]
+    return atoms[np.concatenate(ways).astype(int)]
 
 
 def path(neighbours, first, last):

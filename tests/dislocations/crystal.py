@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Face-centred cubic crystals of Lennard-Jones atoms. Lengths in sigma; axes: rows are the laboratory's x, y, z in cube axes.
+"""Face-centred cubic crystals of Lennard-Jones atoms. Lengths in sigma; the rows of `axes` are the laboratory's x, y, z
+in cube axes.
 
 Vectors of the crystal are three whole numbers in units of a/6 along the cube axes: 1/2<110> is (3, 3, 0), a Shockley
 partial 1/6<112> is (1, 1, 2), Frank's 1/3<111> is (2, 2, 2), a stair-rod 1/6<110> is (1, 1, 0).

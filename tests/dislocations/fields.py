@@ -10,7 +10,7 @@ POISSON = 0.25
 
 
 def bending(x, y, burgers):
-    """What an edge dislocation along z displaces, without the part that grows in each turn (Hirth & Lothe, 3-45, 3-46)."""
+    """Displacement by an edge dislocation along z without what grows in each turn (Hirth & Lothe 3-45, 3-46)."""
     squared = x * x + y * y + 1e-12
     log, mixed, difference = (1 - 2 * POISSON) * np.log(squared), 2 * x * y / squared, (x * x - y * y) / squared
     u = np.zeros((len(x), 3))

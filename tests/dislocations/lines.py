@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases with straight lines: along z through rods (radius 18, length 36) whose outer layer is held, and through films."""
+"""Cases with straight lines along z through rods, of which the outer layer is held, and through films of these rods."""
 
 import numpy as np
 
@@ -42,12 +42,12 @@ def dissociated(places, axes, total, leading, start, end):
                along_z(places, end, leading, axes=axes, role="leading")]
 
 
-def on_glide_plane(line, normal, total, width, about, **more):
+def on_glide_plane(line, normal, total, width, about):
     axes = turn(line, normal)
     leading = next(s for s in fault_shifts(np.array(normal)) if np.dot(s, total) > 0)
     places = in_rod(fcc_points(axes, (RADIUS, RADIUS, HALF), OFF_ATOMS))
     u, lines = dissociated(places, axes, total, leading, (-width / 2, 0), (width / 2, 0))
-    return Case(about, axes, places + u, lines, ENDS, held=near_side(places), measure=follow, **more)
+    return Case(about, axes, places + u, lines, ENDS, held=near_side(places), measure=follow)
 
 
 def edge():
@@ -95,8 +95,8 @@ def lomer_cottrell():
         lines.append(along_z(places, junction + 9 * away, shift))
         stair_rod -= shift
     lines.append(along_z(places, junction, stair_rod))
-    return Case("Lomer-Cottrell lock: a stair-rod and two Shockley partials on (111) and (11-1)", axes, places + u, lines,
-                ENDS, held=near_side(places), measure=follow)
+    return Case("Lomer-Cottrell lock: a stair-rod and two Shockley partials on (111) and (11-1)", axes, places + u,
+                lines, ENDS, held=near_side(places), measure=follow)
 
 
 def twin_lamella_screw():
@@ -108,22 +108,21 @@ def twin_lamella_screw():
     across = (twin @ normal)[:2] / np.sqrt(3)
     height = (np.array([0.21, -half]) @ across) % LAYER - LAYER / 2  # between two layers, near the middle
     u, lines = dissociated(places, twin, total, leading, height * across - 4 * away, height * across + 4 * away)
-    return Case("screw dislocation 1/2<110> in two Shockley partials on the inclined {111} of a twin lamella of 18 layers",
+    return Case("screw dislocation 1/2<110> in two Shockley partials on an inclined {111} of a twin lamella, 18 layers",
                 axes, places + u, lines, ENDS, held=near_side(places), measure=follow,
                 grain=lambda place: twin if abs(place[1]) < half else axes)
 
 
 def twin_crossing():
-    """y and z of the lamella change places, so that the line crosses it."""
-    flat = turn((1, -1, 0), (1, 1, 1))
-    places = twin_lamella(flat, (RADIUS, HALF, RADIUS), 6 * LAYER)[:, [2, 0, 1]]  # cyclic: x = [1-10], z = [111]
-    axes = flat[[2, 0, 1]]
-    places = in_rod(places)
+    flat, half, cyclic = turn((1, -1, 0), (1, 1, 1)), 6 * LAYER, [2, 0, 1]  # to x = [1-10], z = [111]
+    places = in_rod(twin_lamella(flat, (RADIUS, HALF, RADIUS), half)[:, cyclic])
+    axes, twin = flat[cyclic], mirrored(flat)[cyclic]
     u = straight(places, (0.1, 0.15), to_lab(axes, (3, -3, 0)))
     lines = [along_z(places, (0.1, 0.15), (3, -3, 0))]
     return Case("edge dislocation 1/2[1-10] along [111], across a twin lamella of 12 layers whose planes hold b", axes,
-                places + u, lines, ENDS, held=near_side(places), measure=follow, found="the core has spread to 2.8 "
-                "on either side along b: partials that do not part may be told apart in it, the sum in the discs is proved")
+                places + u, lines, ENDS, held=near_side(places), measure=follow,
+                grain=lambda place: twin if abs(place[2]) < half else axes,
+                found="the core has spread to 2.8 on either side along b, so partials may be told apart in it")
 
 
 LINES = {

@@ -81,7 +81,7 @@ NORMALS = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])  # of the
 
 
 def tetrahedron_shifts():
-    """What lies outside each face moves by: Frank's 1/3<111> inward at the first, such that all edges are stair-rods."""
+    """Shifts of what lies outside the faces: Frank's 1/3<111> inward at the first, such that all edges are stair-rods."""
     for shifts in itertools.product([-2 * NORMALS[0]], *(fault_shifts(n) for n in NORMALS[1:])):
         edges = [np.sort(np.abs(a - b)) for a, b in itertools.combinations(shifts, 2)]
         if all((edge == (0, 1, 1)).all() for edge in edges):
@@ -106,7 +106,7 @@ def edges(shifts, corners):
 
 
 def stacking_fault_tetrahedron(rows):
-    """After Silcox & Hirsch (1959): a triangle of vacancies, `rows` along each edge, whose fault opens to three more."""
+    """After Silcox & Hirsch (1959): a triangle of vacancies with `rows` along each edge, whose fault opens to four."""
     axes, side = turn((1, -1, 0), (1, 1, 1)), (rows - 1) * SPACING
     outward = NORMALS @ axes.T / np.sqrt(3)
     inradius = side / np.sqrt(24)
@@ -125,7 +125,7 @@ def stacking_fault_tetrahedron(rows):
         case.lines = edges(shifts, measure.tetrahedron(centre, outward, inradius, labelled_places, labels))
 
     return Case(about, axes, places + u, edges(shifts, corners),
-                {"relative": 0.1, "reason": "where an edge of atoms ends is uncertain by half a spacing at each corner"},
+                {"relative": 0.1, "reason": "where an edge ends is uncertain by half a spacing at each corner"},
                 measure=follow_faces)
 
 

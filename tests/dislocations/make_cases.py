@@ -5,8 +5,8 @@
     tests/dislocations/make_cases.py OUT            all cases
     tests/dislocations/make_cases.py OUT edge sft   these only
 
-Each folder gets dump.lammpstrj, scene.toml and truth.json, see README.md, and labels.dump with LAMMPS' labels (1 fcc, 2 hcp,
-5 neither). Ends with 1 if Burgers circuits do not prove what truth.json says.
+Each folder gets dump.lammpstrj, scene.toml and truth.json, see README.md, and labels.dump with LAMMPS' labels
+(1 fcc, 2 hcp, 5 neither). Ends with 1 if Burgers circuits do not prove what truth.json says.
 """
 
 import argparse
@@ -68,8 +68,9 @@ def relax(case, folder):
 
 def written(line, case):
     axes = case.axes if line.axes is None else line.axes
-    truth = {"family": family(line.burgers), "burgers": line.burgers, "burgers_lab": to_lab(axes, line.burgers).tolist(),
-             "length": line.length(), "closed": line.closed, "corners": line.corners.round(4).tolist()}
+    truth = {"family": family(line.burgers), "burgers": line.burgers,
+             "burgers_lab": to_lab(axes, line.burgers).tolist(), "length": line.length(),
+             "closed": line.closed, "corners": line.corners.round(4).tolist()}
     truth |= {"role": line.role} if line.role else {}
     return truth | ({"orientation": line.axes.tolist()} if line.axes is not None else {})
 

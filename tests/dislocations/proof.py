@@ -17,7 +17,7 @@ def labelled(file):
 
 
 def of(case, places, labels):
-    """Burgers vectors of circuits about each line at three places: of all lines through each of these discs together."""
+    """Burgers circuits about each line at three places: the sum over all lines through each of these discs."""
     counts = {name: int((labels == label).sum()) for name, label in (("fcc", FCC), ("hcp", HCP), ("other", OTHER))}
     discs = [disc(case, line, fraction, places, labels) for line in case.lines for fraction in (0.25, 0.5, 0.75)]
     return {"labels": counts, "proved": all(d["burgers"] == d["claimed"] for d in discs), "discs": discs}
