@@ -81,7 +81,7 @@ NORMALS = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])  # of the
 
 
 def tetrahedron_shifts():
-    """Shifts of what lies outside the faces: Frank's 1/3<111> inward at the first, such that all edges are stair-rods."""
+    """Shifts of what lies outside the faces: Frank's 1/3<111> inward at the first, so that all edges are stair-rods."""
     for shifts in itertools.product([-2 * NORMALS[0]], *(fault_shifts(n) for n in NORMALS[1:])):
         edges = [np.sort(np.abs(a - b)) for a, b in itertools.combinations(shifts, 2)]
         if all((edge == (0, 1, 1)).all() for edge in edges):
