@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include "analyses/analysis.hpp"
+#include "analyses/dislocation_lines.hpp"
 #include "analyses/value.hpp"
 
 namespace mdana {
@@ -81,12 +82,17 @@ struct FrameDefects {
   AtomLabels labels;
   std::vector<FaultPlane> planes;  ///< greatest first
   BodySurfaces surfaces;           ///< if they are asked for
+  DislocationLines lines;          ///< likewise
+  double spacing = 0;              ///< [length]
+  std::array<std::optional<Eigen::Quaterniond>, 2> lattice;  ///< turn of the lattice of bodies 1 and 2
 };
 
 struct DefectSettings {
   std::optional<double> spacing;  ///< distance of nearest neighbours [length]; else of each frame
   bool bcc = false, ico = false;  ///< label these, too
   bool surface = false;           ///< of each body, and the patch where they cover each other
+  bool lines = false;             ///< dislocation lines
+  bool lines_everywhere = false;  ///< look for them among all atoms: the same, slower
   bool centro_symmetry = false, coordination = false;
   bool by_cgal = false;           ///< neighbours by CGAL's k-d tree: slower, same labels
   bool ids = true;                ///< the dump has the column id
@@ -104,10 +110,14 @@ struct DefectSettings {
 /// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
 /// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1, radius_atoms1 and
 /// radius_gyration1 [length] ..., zeros without one, and patch_area with patch_area_error [length^2].
+/// With lines: the columns of analyses/defects/lines/columns.hpp.
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});
 
 /// Turn of the lattice of a body (1, 2) in a row; nothing without one.
 std::optional<Eigen::Quaterniond> lattice_turn(const Table& table, std::size_t row, int body);
+
+/// The turn among those of the same lattice that is nearest to another, with its sign.
+Eigen::Quaterniond nearest_turn(const Eigen::Quaterniond& turn, const Eigen::Quaterniond& to);
 
 /// Least angle [rad] by which one lattice is turned against another: turns of the cube into itself
 /// do not count.

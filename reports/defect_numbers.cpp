@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/line_numbers.hpp"
+
 namespace mdana {
 namespace {
 
@@ -134,6 +136,7 @@ Json frame_json(const DefectHistory& h, std::size_t frame) {
   json["lattices"] = lattices(h, frame);
   json["surface"] = surface_json(h, frame);
   json["patch_area"] = patch_json(h, frame);
+  if (!h.lines.empty()) json.update(h.lines.frame(frame));
   return json;
 }
 
@@ -190,6 +193,42 @@ void add_greatest(Document& document, const DefectHistory& h, const char* what, 
                     : "none");
 }
 
+/// The lines where they are longest, and what became of them; a warning where something was missed.
+void add_lines(Document& document, const DefectHistory& h) {
+  if (h.lines.empty()) return document.left_out("lines", "--no-lines");
+  const auto length = h.table.column("line_length"), residual = h.table.column("burgers_residual");
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
+  const auto families = [&](std::size_t frame) {
+    std::string text;
+    for (std::size_t f = 0; f < line_families; ++f) {
+      const std::string family(name(static_cast<LineFamily>(f)));
+      const double l = at(h, family + "_length", frame);
+      if (l > 0) text += fmt::format("{}{} {:.4g}", text.empty() ? ": " : ", ", family, l);
+    }
+    return text;
+  };
+  const auto whole_length = [&](std::size_t frame) {
+    return to_text(Value{length[frame], at(h, "line_length_error", frame), dimension::length}, document.units());
+  };
+  document.line("most lines", length[most] > 0 ? fmt::format("{} at {}{}", whole_length(most), told(h, most), families(most))
+                                               : "none");
+  const std::size_t last = h.steps.size() - 1;
+  if (last > 0 && length[most] > 0)
+    document.line("lines at the end", length[last] > 0 ? whole_length(last) + families(last) : "none");
+  const Json history = line_history_json(h.lines.tracks(), h.steps.size());
+  document.json("line_history", history);
+  if (last > 0 && length[most] > 0)
+    document.line("segments", fmt::format("{} followed: {} nucleated, {} absorbed, {} stored at the end",
+                                          history["tracks_seen"].get<std::size_t>(), history["nucleated"].get<std::size_t>(),
+                                          history["absorbed"].get<std::size_t>(), history["stored"].get<std::size_t>()));
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(residual) - residual.begin());
+  if (residual[worst] > 0)
+    document.warn(fmt::format("lines end inside a crystal in {} of {} frames, most at {}: Burgers vectors that add up to {:.3g} "
+                              "lattice constants lead nowhere (burgers_residual); those lines were missed in part",
+                              std::ranges::count_if(residual, [](double r) { return r > 0; }), residual.size(),
+                              told(h, worst), residual[worst]));
+}
+
 /// Says what the atoms are if they are no fcc or hcp crystal.
 void warn_of_structure(Document& document, const DefectHistory& h) {
   const double crystal = at(h, "fcc", 0) + at(h, "hcp", 0), bulk = at(h, "bulk_defect", 0),
@@ -237,6 +276,7 @@ void add_defects(Document& document, const DefectHistory& h) {
   for (std::size_t frame = 0; frame <= last; ++frame) frames.push_back(frame_json(h, frame));
   document.json("frames", std::move(frames));
   if (!h.table.has("surface_area1")) document.left_out("surface", "--no-surface");
+  add_lines(document, h);
   warn_of_structure(document, h);
 }
 

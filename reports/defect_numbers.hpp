@@ -7,6 +7,7 @@
 #include "analyses/defects.hpp"
 #include "analyses/sweep.hpp"
 #include "reports/document.hpp"
+#include "reports/line_history.hpp"
 
 namespace mdana {
 
@@ -17,6 +18,7 @@ struct DefectHistory {
   std::vector<double> delta;                    ///< [length]; empty unless there are two bodies
   Table table;                                  ///< of the analysis
   std::vector<std::vector<FaultPlane>> planes;  ///< of each frame
+  LineHistory lines;                            ///< empty if they were not asked for
 };
 
 /// Plastic defects of a frame, hcp atoms and bulk defects, count from this many more than in the first

@@ -62,4 +62,24 @@ PolyData fault_picture(const std::vector<FaultPlane>& planes) {
   return data;
 }
 
+PolyData line_picture(const DislocationLines& lines) {
+  PolyData data;
+  data.cells = {{"body", {}}, {"family", {}}, {"length", {}}, {"character", {}},
+                {"burgers_x", {}}, {"burgers_y", {}}, {"burgers_z", {}}};
+  for (const DislocationSegment& s : lines.segments) {
+    std::vector<std::uint32_t> line;
+    for (const auto& p : s.points) {
+      line.push_back(static_cast<std::uint32_t>(data.points.size()));
+      data.points.push_back(p);
+    }
+    data.lines.push_back(std::move(line));
+    const Eigen::Vector3d b = s.crystal * s.burgers_here;
+    std::size_t next = 0;
+    for (const double value : {static_cast<double>(s.body), static_cast<double>(s.family), s.length.value,
+                               s.character * 180 / std::numbers::pi, b.x(), b.y(), b.z()})
+      data.cells[next++].values.push_back(value);
+  }
+  return data;
+}
+
 }  // namespace mdana

@@ -13,4 +13,8 @@ PolyData surface_picture(const FrameAtoms& atoms, const BodySurfaces& surfaces);
 /// twin), `body`, `area` and `atoms`.
 PolyData fault_picture(const std::vector<FaultPlane>& planes);
 
+/// Its dislocation lines, with `body`, `family` (as in LineFamily), `length`, `character` [degrees], and the Burgers
+/// vector in space, `burgers_x`, `_y`, `_z` [length].
+PolyData line_picture(const DislocationLines& lines);
+
 }  // namespace mdana

@@ -11,6 +11,8 @@
 
 #include "analyses/defects/atom_measures.hpp"
 #include "analyses/defects/labels.hpp"
+#include "analyses/defects/lines/columns.hpp"
+#include "analyses/defects/lines/find_lines.hpp"
 #include "analyses/defects/planes.hpp"
 #include "analyses/defects/spacing.hpp"
 #include "analyses/defects/surface.hpp"
@@ -92,8 +94,17 @@ std::array<double, 2> ball_radii(const FrameAtoms& atoms, BodyIndex body, double
           std::sqrt(5.0 / 3 * (all.spread / all.weight))};
 }
 
-/// In the order of these columns.
-void fill_surfaces(const BodySurfaces& surfaces, const FrameAtoms& atoms, double spacing, std::span<double> row) {
+/// Of the atoms of bodies 1 and 2, a^3/4 each [length^3].
+std::array<double, 2> volumes(const FrameAtoms& atoms, double spacing) {
+  std::array<double, 2> sum{};
+  for (const BodyIndex body : atoms.body)
+    if (body == 1 || body == 2) sum[body - 1u] += 1;
+  for (double& v : sum) v *= spacing * spacing * spacing / std::numbers::sqrt2;
+  return sum;
+}
+
+/// In the order of these columns; what is left of the row.
+std::span<double> fill_surfaces(const BodySurfaces& surfaces, const FrameAtoms& atoms, double spacing, std::span<double> row) {
   std::size_t next = 0;
   for (std::size_t b = 0; b < surfaces.body.size(); ++b) {
     const SurfaceMesh& mesh = surfaces.body[b];
@@ -103,7 +114,8 @@ void fill_surfaces(const BodySurfaces& surfaces, const FrameAtoms& atoms, double
       row[next++] = value;
   }
   row[next++] = surfaces.patch.value;
-  row[next] = surfaces.patch.error.value_or(0);
+  row[next++] = surfaces.patch.error.value_or(0);
+  return row.subspan(next);
 }
 
 /// A product on its way to the settings' function.
@@ -146,6 +158,7 @@ class Defects final : public FrameAnalysis {
       for (const char* part : {"lattice_w", "lattice_x", "lattice_y", "lattice_z", "lattice_share"})
         all.push_back({std::string(part) + body, dimension::none});
     if (settings_.surface) add_surface_columns(all);
+    if (settings_.lines) add_line_columns(all);
     return all;
   }
 
@@ -161,8 +174,16 @@ class Defects final : public FrameAnalysis {
     if (settings_.labels) sites.margin.resize(atoms->size());
     FrameDefects found;
     found.step = header.step;
-    const auto rest = fill(*atoms, sites, row, found.planes);
-    if (settings_.surface) fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), *atoms, grid.spacing, rest);
+    std::array<BodyLattice, 2> lattices;
+    auto rest = fill(*atoms, sites, row, found.planes, lattices);
+    found.spacing = grid.spacing;
+    for (std::size_t b = 0; b < 2; ++b)
+      if (lattices[b].share > 0) found.lattice[b] = lattices[b].turn;
+    if (settings_.surface)
+      rest = fill_surfaces(found.surfaces = find_surfaces(sites, *atoms), *atoms, grid.spacing, rest);
+    if (settings_.lines)
+      fill_lines(found.lines = find_lines(sites, *atoms, lattices, settings_.lines_everywhere),
+                 volumes(*atoms, grid.spacing), grid.spacing, rest);
     if (!settings_.product) return nullptr;
     found.labels = labels(sites);
     return std::make_unique<DefectProduct>(settings_, header, std::move(atoms), std::move(found));
@@ -171,7 +192,7 @@ class Defects final : public FrameAnalysis {
  private:
   /// Labels the atoms and fills the row, in the order of the columns; what is left of it.
   std::span<double> fill(const FrameAtoms& atoms, Sites& sites, std::span<double> row,
-            std::vector<FaultPlane>& planes) const {
+            std::vector<FaultPlane>& planes, std::array<BodyLattice, 2>& lattices) const {
     label_structures(sites, settings_.by_cgal);
     const std::size_t repaired = find_sites(sites, atoms);
     const OtherStructures others = find_other_structures(sites, settings_.bcc, settings_.ico);
@@ -192,7 +213,8 @@ class Defects final : public FrameAnalysis {
       for (const bool twin : {false, true}) put(area(planes, body, twin));
     for (const double value : mean_place(sites, atoms)) put(value);
     for (const int body : {1, 2}) {
-      const BodyLattice lattice = find_lattice(sites, static_cast<BodyIndex>(body));
+      const BodyLattice& lattice = lattices[static_cast<std::size_t>(body - 1)] =
+          find_lattice(sites, static_cast<BodyIndex>(body));
       for (const double value : {lattice.turn.w(), lattice.turn.x(), lattice.turn.y(),
                                  lattice.turn.z(), lattice.share})
         put(value);

@@ -40,7 +40,8 @@ const std::vector<Turn>& cube_turns() {
   return all;
 }
 
-/// The turn among those of the same lattice that is nearest to another, with its sign.
+}  // namespace
+
 Turn nearest_turn(const Turn& turn, const Turn& to) {
   Turn best = turn;
   double most = -1;
@@ -53,8 +54,6 @@ Turn nearest_turn(const Turn& turn, const Turn& to) {
   }
   return best;
 }
-
-}  // namespace
 
 double misorientation(const Turn& a, const Turn& b) {
   const Turn near = nearest_turn(a, b);

@@ -53,21 +53,16 @@ LayerAtom layer_atom(std::uint32_t place, const Neighbours& found) {
   atom.place = place;
   const auto twelve = nearest_twelve(found);
   if (!twelve) return atom;
-  const auto in_plane = opposite_six(*twelve);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  const HcpLayer layer = hcp_layer(*twelve);
+  atom.normal = layer.normal;
   double distance = 0;
   for (std::size_t k = 0; k < 12; ++k) {
-    const Eigen::Vector3d u = (*twelve)[k].offset.cast<double>();
-    distance += u.norm() / 12;
-    if (in_plane[k]) spread += u * u.transpose();
-  }
-  atom.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  atom.area = std::sqrt(3.0) / 2 * distance * distance;
-  for (std::size_t k = 0; k < 12; ++k) {
     const Neighbour& n = (*twelve)[k];
+    distance += n.offset.cast<double>().norm() / 12;
     const bool above = n.offset.cast<double>().dot(atom.normal) > 0;
-    (in_plane[k] ? atom.in_plane : atom.side[above]).push_back(n.place);
+    (layer.in_plane[k] ? atom.in_plane : atom.side[above]).push_back(n.place);
   }
+  atom.area = std::sqrt(3.0) / 2 * distance * distance;
   return atom;
 }
 
@@ -226,6 +221,17 @@ class Piece {
 };
 
 }  // namespace
+
+HcpLayer hcp_layer(const std::array<Neighbour, 12>& twelve) {
+  HcpLayer layer{opposite_six(twelve), {}};
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Eigen::Vector3d u = twelve[k].offset.cast<double>();
+    if (layer.in_plane[k]) spread += u * u.transpose();
+  }
+  layer.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  return layer;
+}
 
 std::vector<FaultPlane> find_planes(const Sites& sites, const FrameAtoms& atoms) {
   const Layers layers(sites);

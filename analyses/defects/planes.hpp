@@ -7,6 +7,13 @@
 
 namespace mdana::defects {
 
+/// The close-packed layer of a hcp atom: the six of the twelve that lie opposite to each other, and its normal.
+struct HcpLayer {
+  std::array<bool, 12> in_plane;
+  Eigen::Vector3d normal;
+};
+HcpLayer hcp_layer(const std::array<Neighbour, 12>& twelve);
+
 /// Planar faults of the hcp atoms; pieces of fewer atoms than this are none.
 inline constexpr std::size_t least_plane = 4;
 std::vector<FaultPlane> find_planes(const Sites& sites, const FrameAtoms& atoms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,9 +35,25 @@ Zone zone_about(const Sites& sites, const FrameAtoms& atoms, const std::vector<c
 
 using Corners = std::array<std::uint32_t, 3>;  ///< atoms of the zone
 
+/// The corners of the sides of a tetrahedron with a positive volume, against the clock seen from outside; the
+/// k-th is opposite to corner k.
+inline constexpr std::size_t outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+using Tetrahedron = std::array<std::uint32_t, 4>;  ///< likewise
+
+inline Corners side_of(const Tetrahedron& t, std::size_t side) {
+  return {t[outward[side][0]], t[outward[side][1]], t[outward[side][2]]};
+}
+
+inline Corners ascending(Corners facet) {
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
 /// The filled tetrahedra with a seed.
 struct ZoneCells {
-  std::vector<std::array<std::uint32_t, 4>> cells;  ///< corners ascending, in order; if wanted
+  /// Corners ascending, but the last two in the order that makes the volume positive; in order; if wanted.
+  std::vector<Tetrahedron> cells;
   /// Sides with a seed that no two of them share, against the clock seen from outside, the lowest corner
   /// first; in order.
   std::vector<Corners> open;

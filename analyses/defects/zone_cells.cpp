@@ -20,7 +20,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
 using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 constexpr std::size_t atoms_a_slab = 30000;
 constexpr double shift = 1e-9;  ///< [spacings]
@@ -90,7 +89,7 @@ class SlabCells {
   void collect(ZoneCells& found, bool cells) const {
     for (const auto cell : delaunay_.finite_cell_handles()) {
       if (!owned(cell)) continue;
-      if (cells) found.cells.push_back(corners(cell));
+      if (cells) found.cells.push_back(turned(cell));
       for (int side = 0; side < 4; ++side)
         if (!owned(cell->neighbor(side))) add(found.open, cell, side);
     }
@@ -107,6 +106,19 @@ class SlabCells {
     return t;
   }
 
+  /// Ascending but for the last two, which come in the order that turns the cell as CGAL does.
+  Tetrahedron turned(const Handle& cell) const {
+    const Tetrahedron ascending = corners(cell);
+    Tetrahedron t;
+    for (int k = 0; k < 4; ++k) t[static_cast<std::size_t>(k)] = cell->vertex(k)->info();
+    bool even = true;
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t m = 0; m < k; ++m) even ^= t[m] > t[k];
+    t = ascending;
+    if (!even) std::swap(t[2], t[3]);
+    return t;
+  }
+
   /// Filled, with a seed, and its circumcentre within the slab.
   bool owned(const Handle& cell) const {
     if (delaunay_.is_infinite(cell)) return false;
@@ -117,12 +129,9 @@ class SlabCells {
     return centre.squaredNorm() < filled_below * filled_below && along >= slab_.low && along < slab_.high;
   }
 
-  /// The corners of the side opposite to a corner of a cell, as CGAL turns cells, seen from outside.
-  static constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
   void add(std::vector<Corners>& open, const Handle& cell, int side) const {
     Corners facet;
-    for (std::size_t k = 0; k < 3; ++k) facet[k] = cell->vertex(outward[side][k])->info();
+    for (std::size_t k = 0; k < 3; ++k) facet[k] = cell->vertex(static_cast<int>(outward[side][k]))->info();
     std::ranges::rotate(facet, std::ranges::min_element(facet));
     if (std::ranges::any_of(facet, [&](std::uint32_t i) { return zone_.seed[i]; })) open.push_back(facet);
   }

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include "readers/trajectory.hpp"
+#include "reports/atomic_file.hpp"
+#include "reports/ca.hpp"
 #include "reports/cli/command.hpp"
+#include "reports/csv.hpp"
 #include "reports/defect_pictures.hpp"
 #include "reports/labelled_dump.hpp"
 
@@ -27,6 +30,10 @@ DefectSettings defect_settings(const Values& values) {
   settings.spacing = positive_option(values, "spacing");
   settings.by_cgal = choice(values, "neighbours", neighbour_searches) == 1;
   settings.surface = !values["no-surface"].as<bool>();
+  settings.lines = !values["no-lines"].as<bool>();
+  for (const char* wanted : {"ca", "segments"})
+    if (!settings.lines && values.count(wanted))
+      throw UsageError(fmt::format("--{} and --no-lines: give one of them", wanted));
   settings.labels = values.count("dump") > 0;
   settings.centro_symmetry = values["csp"].as<bool>();
   settings.coordination = values["coordination"].as<bool>();
@@ -57,14 +64,19 @@ SweepOptions frames_of(Values values, const RunOptions& options) {
   return sweeping;
 }
 
-/// Pictures of frames as files PREFIX.surfaces.STEP.vtp and PREFIX.faults.STEP.vtp.
+/// Pictures of frames as files PREFIX.surfaces.STEP.vtp, PREFIX.faults.STEP.vtp and PREFIX.lines.STEP.vtp, as far as
+/// they are found.
 class Pictures {
  public:
-  explicit Pictures(std::string prefix) : prefix_(std::move(prefix)) { check_directory(prefix_ + ".vtp"); }
+  Pictures(std::string prefix, const DefectSettings& settings)
+      : prefix_(std::move(prefix)), surfaces_(settings.surface), lines_(settings.lines) {
+    check_directory(prefix_ + ".vtp");
+  }
 
   void add(const FrameHeader& header, const FrameAtoms& atoms, const FrameDefects& found) const {
-    write("surfaces", header, surface_picture(atoms, found.surfaces));
+    if (surfaces_) write("surfaces", header, surface_picture(atoms, found.surfaces));
     write("faults", header, fault_picture(found.planes));
+    if (lines_) write("lines", header, line_picture(found.lines));
   }
 
  private:
@@ -74,23 +86,28 @@ class Pictures {
   }
 
   std::string prefix_;
+  bool surfaces_, lines_;
 };
 
 /// Where frames go as they are found.
 struct Products {
   std::optional<LabelledDump> dump;
   std::optional<Pictures> pictures;
+  std::optional<std::string> ca;  ///< prefix
 };
 
 /// One pass over the frames.
 DefectHistory history_of(const Run& run, const RunOptions& options, const SweepOptions& sweeping,
                          DefectSettings settings, Products& products, SweepResult& swept) {
   DefectHistory history;
+  const bool lines = settings.lines;
   settings.ids = run.first.has_column("id");
   settings.types = products.dump && run.first.has_column("type");
   settings.product = [&](const FrameHeader& header, const FrameAtoms& atoms,
                          const FrameDefects& found) {
     history.planes.push_back(found.planes);
+    if (lines) history.lines.add(atoms, found);
+    if (products.ca) write_ca(fmt::format("{}.{}.ca", *products.ca, header.step), found.lines, header.box);
     if (products.dump) products.dump->add(header, atoms, found.labels);
     if (products.pictures) products.pictures->add(header, atoms, found);
   };
@@ -99,6 +116,7 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
   if (two) analyses.push_back(make_motion({}));
   analyses.push_back(make_defects(std::move(settings)));
   swept = sweep(run.dump, run.bodies, run.masses, analyses, sweeping);
+  history.lines.finish();
   history.steps = swept.steps;
   history.times = frame_times(run, swept);
   history.table = std::move(swept.tables.back());
@@ -117,8 +135,12 @@ void add_options(Options& options) {
        "write the bodies' atoms with their labels: columns id, type, x y z and c_mdana_body, "
        "_structure, _site, _margin, _cluster; opens in OVITO and ASE")                           //
       ("vtp", po::value<std::string>()->value_name("PREFIX"),
-       "write the surfaces and the planar faults (as discs) of each frame as PREFIX.surfaces.STEP.vtp "
-       "and PREFIX.faults.STEP.vtp, for ParaView")                                               //
+       "write surfaces, planar faults (as discs) and dislocation lines of each frame as PREFIX.surfaces.STEP.vtp, "
+       "PREFIX.faults.STEP.vtp and PREFIX.lines.STEP.vtp, for ParaView")                         //
+      ("ca", po::value<std::string>()->value_name("PREFIX"),
+       "write the dislocation lines of each frame as PREFIX.STEP.ca, for OVITO")                 //
+      ("segments", po::value<std::string>()->value_name("FILE"),
+       "write a CSV table of all segments of dislocations: step, track, body, family, Burgers vector, length, ...")  //
       ("csp", po::bool_switch(), "column c_mdana_csp in --dump: centro-symmetry")                //
       ("coordination", po::bool_switch(),
        "column c_mdana_coordination in --dump: atoms within 1.2071 spacings")                    //
@@ -127,6 +149,7 @@ void add_options(Options& options) {
       ("no-surface", po::bool_switch(),
        "leave out area, volume, radius and voids of the bodies and the contact patch, which take most of "
        "the time")    //
+      ("no-lines", po::bool_switch(), "leave out dislocation lines")                             //
       ("spacing", po::value<double>()->value_name("LENGTH"),
        "distance of nearest neighbours (default: found in each frame)")                          //
       ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),
@@ -139,13 +162,16 @@ int run_command(const Values& values) {
   check_output(values, true);
   DefectSettings settings = defect_settings(values);
   const Format* format = dump_format(values);
+  for (const char* output : {"segments", "ca"})
+    if (values.count(output)) check_directory(values[output].as<std::string>());
   const RunOptions options = run_options(values);
   SweepOptions sweeping = frames_of(values, options);
   const Run run = prepare_run(options);
   sweeping.selection = run.selection;
   Products products;
   if (format) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
-  if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>());
+  if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>(), settings);
+  if (values.count("ca")) products.ca = values["ca"].as<std::string>();
   SweepResult swept;
   const DefectHistory history =
       history_of(run, options, sweeping, std::move(settings), products, swept);
@@ -155,6 +181,10 @@ int run_command(const Values& values) {
   if (products.dump) {
     products.dump->commit();
     document.text("dump_written", values["dump"].as<std::string>());
+  }
+  if (values.count("segments")) {
+    write_file(values["segments"].as<std::string>(), to_csv(history.lines.segments()));
+    document.text("segments_written", values["segments"].as<std::string>());
   }
   const Table table = defect_table(history);
   return emit(values, document, &table);
@@ -166,14 +196,15 @@ extern const Command defects_command;
 const Command defects_command{
     "defects",
     "DUMP",
-    "crystal structure of the atoms, stacking faults, twins, surfaces, and where defects begin",
+    "crystal structure of the atoms, stacking faults, twins, surfaces, dislocation lines",
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice; its surface, voids and contact patch. --frames takes all (default), last, or A:B[:K].",
+    "of each body's lattice; its surface, voids and contact patch; dislocation lines with exact Burgers vectors,\n"
+    "followed from frame to frame. --frames takes all (default), last, or A:B[:K].",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
-    "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last\n"
+    "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last --ca last\n"
     "  mdana defects run/dump.lammpstrj.gz --stride 10 -o defects.csv",
     add_options,
     run_command};

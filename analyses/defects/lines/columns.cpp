@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/defects/lines/columns.hpp"
+
+#include <string>
+
+namespace mdana::defects {
+namespace {
+
+constexpr Dimension per_area{0, -2, 0};
+constexpr double shortest = 2;  ///< [spacings]
+
+}  // namespace
+
+void add_line_columns(std::vector<ColumnSpec>& columns) {
+  columns.push_back({"line_segments", dimension::none});
+  columns.push_back({"line_length", dimension::length});
+  columns.push_back({"line_length_error", dimension::length});
+  for (const char* body : {"", "1", "2"})
+    for (std::size_t f = 0; f < line_families; ++f)
+      columns.push_back({std::string(name(static_cast<LineFamily>(f))) + "_length" + body, dimension::length});
+  columns.push_back({"line_density1", per_area});
+  columns.push_back({"line_density2", per_area});
+  columns.push_back({"short_line_length", dimension::length});
+  columns.push_back({"unresolved_length", dimension::length});
+  columns.push_back({"burgers_residual", dimension::none});
+}
+
+std::span<double> fill_lines(const DislocationLines& lines, const std::array<double, 2>& volume, double spacing,
+                             std::span<double> row) {
+  std::size_t next = 0;
+  row[next++] = static_cast<double>(lines.segments.size());
+  const Value whole = lines.length(0);
+  row[next++] = whole.value;
+  row[next++] = *whole.error;
+  for (const BodyIndex body : {BodyIndex{0}, BodyIndex{1}, BodyIndex{2}})
+    for (std::size_t f = 0; f < line_families; ++f)
+      row[next++] = lines.length(body, static_cast<LineFamily>(f)).value;
+  for (const std::size_t b : {0u, 1u})
+    row[next++] = volume[b] > 0 ? lines.length(static_cast<BodyIndex>(b + 1)).value / volume[b] : 0;
+  row[next++] = lines.length_below(shortest * spacing);
+  row[next++] = lines.absorbed;
+  row[next++] = lines.residual;
+  return row.subspan(next);
+}
+
+}  // namespace mdana::defects

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analyses/defects.hpp"
+#include "analyses/line_tracks.hpp"
+
+namespace mdana {
+
+/// The dislocation lines of a run, frame by frame; only numbers are kept.
+class LineHistory {
+ public:
+  LineHistory();
+
+  /// Frames in order.
+  void add(const FrameAtoms& atoms, const FrameDefects& found);
+  void finish() { tracks_.finish(); }
+
+  bool empty() const { return frames_.empty(); }
+  const nlohmann::ordered_json& frame(std::size_t frame) const { return frames_[frame]; }  ///< lines_json
+  const LineTracks& tracks() const { return tracks_; }
+  /// A row for each segment of each frame.
+  const Table& segments() const { return segments_; }
+
+ private:
+  LineTracks tracks_;
+  std::vector<nlohmann::ordered_json> frames_;
+  Table segments_;
+};
+
+}  // namespace mdana
