@@ -46,7 +46,7 @@ const Format* dump_format(const Values& values) {
   return format;
 }
 
-/// What --frames says: "all", "last", or as for every command.
+/// What --frames says: "all", "last", or as for every command; and --memory.
 SweepOptions frames_of(Values values, const RunOptions& options) {
   const std::string text = values.count("frames") ? values["frames"].as<std::string>() : "all";
   if (text == "all" || text == "last") values.erase("frames");
@@ -54,6 +54,10 @@ SweepOptions frames_of(Values values, const RunOptions& options) {
   if (text == "last" && sweeping.choice.stride > 1)
     throw UsageError("--frames last and --stride: give one of them");
   if (text == "last") sweeping.choice.first = count_frames(options.dump) - 1;
+  if (sweeping.frame_memory) {  // --memory is for all of it
+    sweeping.memory = *sweeping.frame_memory / 4;
+    *sweeping.frame_memory -= sweeping.memory;
+  }
   return sweeping;
 }
 
@@ -62,8 +66,8 @@ class Pictures {
  public:
   explicit Pictures(std::string prefix) : prefix_(std::move(prefix)) { check_directory(prefix_ + ".vtp"); }
 
-  void add(const FrameHeader& header, const FrameAtoms& atoms, const FrameDefects& found) const {
-    write("surfaces", header, surface_picture(atoms, found.surfaces));
+  void add(const FrameHeader& header, const FrameDefects& found) const {
+    write("surfaces", header, surface_picture(found.surfaces));
     write("faults", header, fault_picture(found.planes));
   }
 
@@ -88,11 +92,10 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
   DefectHistory history;
   settings.ids = run.first.has_column("id");
   settings.types = products.dump && run.first.has_column("type");
-  settings.product = [&](const FrameHeader& header, const FrameAtoms& atoms,
-                         const FrameDefects& found) {
+  settings.product = [&](const FrameHeader& header, const FrameDefects& found) {
     history.planes.push_back(found.planes);
-    if (products.dump) products.dump->add(header, atoms, found.labels);
-    if (products.pictures) products.pictures->add(header, atoms, found);
+    if (products.dump) products.dump->add(header, *found.atoms);
+    if (products.pictures) products.pictures->add(header, found);
   };
   const bool two = run.bodies.count() == 2;
   std::vector<std::unique_ptr<Analysis>> analyses;
@@ -170,7 +173,9 @@ const Command defects_command{
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice; its surface, voids and contact patch. --frames takes all (default), last, or A:B[:K].",
+    "of each body's lattice; its surface, voids and contact patch. --frames takes all (default), last, or A:B[:K].\n"
+    "A frame that needs more than --memory (if it is not given, half of what is free) is done in slabs, by way\n"
+    "of temporary files in $TMPDIR: the same results, and less memory.",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last\n"
