@@ -181,6 +181,8 @@ void add_first_defect(Document& document, const DefectHistory& h) {
 void add_separation(Document& document, const DefectHistory& h) {
   const auto frame = separation(h);
   document.json("at_separation", nullptr);
+  if (!frame && at(h, "contact", h.steps.size() - 1) > 0)
+    document.line("at separation", "none: still in contact in the last frame");
   if (!frame) return;
   Json json = moment(h, *frame);
   json["counts"] = counts(h, *frame);

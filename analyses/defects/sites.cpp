@@ -22,7 +22,7 @@ struct Surroundings {
 };
 
 [[noreturn]] void same_place(const Sites& sites, std::uint32_t a, std::uint32_t b) {
-  const auto [first, second] = std::minmax(sites.number(a), sites.number(b));
+  const auto [first, second] = std::minmax({sites.number(a), sites.number(b)});
   throw InputError(sites.slab.atoms->id.empty()
                        ? fmt::format("atoms {} and {} (by order) are at the same place", first + 1, second + 1)
                        : fmt::format("the atoms of ids {} and {} are at the same place", first, second));

@@ -10,6 +10,10 @@
 namespace mdana::defects {
 namespace {
 
+/// What is found of an atom depends on atoms up to so many cells away: its structure on 1, repaired on 2;
+/// its site on 3 (whether a neighbour is at the surface); the kind of its fault on 5 (structures of atoms
+/// two neighbours from one in its layer), and as many whether it is in the zone of a seed.
+constexpr std::uint64_t halo_cells = 5;
 constexpr std::size_t buffered = 65536;  ///< atoms on their way to the file
 constexpr std::size_t atoms_at_once = 32768;
 

@@ -11,11 +11,6 @@
 
 namespace mdana::defects {
 
-/// What is found of an atom depends on atoms up to so many cells away: its structure on 1, repaired on 2;
-/// its site on 3 (whether a neighbour is at the surface); the kind of its fault on 5 (structures of atoms
-/// two neighbours from one in its layer), and as many whether it is in the zone of a seed.
-inline constexpr std::uint64_t halo_cells = 5;
-
 /// The atoms between two planes of cells across an axis, and those that they depend on.
 struct Slab {
   std::shared_ptr<const FrameAtoms> atoms;  ///< in the order of the frame
