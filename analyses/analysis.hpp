@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analyses/frame_atoms.hpp"
+#include "analyses/frame_store.hpp"
 #include "analyses/table.hpp"
 #include "readers/block.hpp"
 #include "readers/bodies.hpp"
@@ -69,11 +69,12 @@ class Product {
 /// file's does not change.
 class FrameAnalysis : public Analysis {
  public:
-  /// Fills the frame's row, in up to `threads` threads that change no bit of it. A product may keep the
-  /// atoms. Nothing is returned if there is nothing to write.
-  virtual std::unique_ptr<Product> look(const FrameHeader& header,
-                                        std::shared_ptr<const FrameAtoms> atoms,
-                                        std::size_t threads, std::span<double> row) const = 0;
+  /// Fills the frame's row, in up to `threads` threads. Neither they nor whether the atoms are in memory
+  /// change a bit of it. A product may keep the atoms. Nothing is returned if there is nothing to write.
+  virtual std::unique_ptr<Product> look(const FrameHeader& header, const FrameStore& atoms, std::size_t threads,
+                                        std::span<double> row) const = 0;
+  /// Memory for atoms that are looked at together, FrameAtoms included.
+  virtual std::size_t bytes_an_atom() const = 0;
 
   std::unique_ptr<Partial> begin(const FrameContext&) const final;
 };

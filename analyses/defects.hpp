@@ -47,9 +47,11 @@ struct SurfacePart {
 
 /// A surface as triangles between atoms, corners against the clock seen from outside.
 struct SurfaceMesh {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< atoms of the frame
+  std::vector<Eigen::Vector3d> points;                  ///< atoms at the surface [length]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points
   std::vector<std::uint32_t> part;                      ///< of each triangle
   std::vector<SurfacePart> parts;                       ///< greatest area first
+  double area_error = 0, volume_error = 0;              ///< what other limits for what is filled change
 
   double area() const;         ///< of the outer parts [length^2]
   double volume() const;       ///< within them, voids included [length^3]
@@ -58,6 +60,8 @@ struct SurfaceMesh {
   /// Of the ball of that volume, and half a {111} layer more, spacing/sqrt 6, since the mesh runs
   /// through the centres of atoms [length]; 0 without a volume.
   double radius(double spacing) const;
+  /// Of half a layer, 0.1 spacings on other faces, and of the volume [length].
+  double radius_error(double spacing) const;
 };
 
 /// The surfaces of bodies 1 and 2, each as if it were alone, and where they cover each other.
@@ -66,7 +70,7 @@ struct BodySurfaces {
   Value patch{0, {}, dimension::area};  ///< where they cover each other
 };
 
-/// What is known of each atom of a frame, in the order of FrameAtoms; what was not asked for is empty.
+/// What is known of each of some atoms; what was not asked for is empty.
 struct AtomLabels {
   std::vector<Structure> structure;
   std::vector<Site> site;
@@ -76,15 +80,28 @@ struct AtomLabels {
   std::vector<std::uint8_t> coordination;   ///< atoms within 1.2071 spacings
 };
 
+/// All atoms of a frame with their labels, in memory or in a temporary file.
+class LabelledAtoms {
+ public:
+  virtual ~LabelledAtoms() = default;
+  virtual std::size_t size() const = 0;
+  /// Calls use(atoms, labels) for all atoms, by id (in the order of the file without), block by block: of
+  /// AtomBlock::capacity atoms, the last one fewer.
+  virtual void for_blocks(const std::function<void(const FrameAtoms&, const AtomLabels&)>& use) const = 0;
+};
+
 /// What a frame shows beyond its row.
 struct FrameDefects {
   std::int64_t step = 0;
-  AtomLabels labels;
+  std::shared_ptr<const LabelledAtoms> atoms;  ///< if labels are asked for
   std::vector<FaultPlane> planes;  ///< greatest first
   BodySurfaces surfaces;           ///< if they are asked for
   DislocationLines lines;          ///< likewise
   double spacing = 0;              ///< [length]
-  std::array<std::optional<Eigen::Quaterniond>, 2> lattice;  ///< turn of the lattice of bodies 1 and 2
+  /// Of bodies 1 and 2, with lines: turn of the lattice, mean place [length] and, as fcc, volume [length^3] of the atoms.
+  std::array<std::optional<Eigen::Quaterniond>, 2> lattice;
+  std::array<Eigen::Vector3d, 2> centre;
+  std::array<double, 2> volume{};
 };
 
 struct DefectSettings {
@@ -99,7 +116,7 @@ struct DefectSettings {
   bool types = false;             ///< the types of the atoms go into the product
   bool labels = false;            ///< margins and clusters, too: for a product with the atoms
   /// Called for each frame in order, one late.
-  std::function<void(const FrameHeader&, const FrameAtoms&, const FrameDefects&)> product = {};
+  std::function<void(const FrameHeader&, const FrameDefects&)> product = {};
 };
 
 /// Structure of all atoms, planar faults and lattice of the bodies; analyses/defects/defects.md.
@@ -108,7 +125,7 @@ struct DefectSettings {
 /// defect_z, the mean place of bulk defects and hcp atoms [length]; lattice_w1 ... the turn of the
 /// lattice of body 1, 2 against the cube axes, a quaternion, and lattice_share1, 2 of the sampled
 /// atoms that have it (zeros without a lattice). With a surface: surface_area1 [length^2],
-/// surface_volume1 [length^3], surface_radius1 [length], voids1, void_volume1, radius_atoms1 and
+/// surface_volume1 [length^3], surface_radius1 [length], an ..._error of each (surface_area_error1), voids1, void_volume1, radius_atoms1 and
 /// radius_gyration1 [length] ..., zeros without one, and patch_area with patch_area_error [length^2].
 /// With lines: the columns of analyses/defects/lines/columns.hpp.
 std::unique_ptr<Analysis> make_defects(DefectSettings settings = {});

@@ -6,12 +6,9 @@
 #include <stdexcept>
 
 #include "analyses/analysis.hpp"
-#include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
-
-constexpr std::size_t most_atoms = std::size_t{1} << 31;
 
 constexpr bool counts(BodyIndex body) { return body == 1 || body == 2; }
 
@@ -23,7 +20,7 @@ void append(const From& values, std::span<const BodyIndex> bodies, To& to) {
 }
 
 template <class T>
-void reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+void reordered(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   if (values.empty()) return;
   std::vector<T> sorted(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = values[order[i]];
@@ -36,16 +33,23 @@ std::unique_ptr<Partial> FrameAnalysis::begin(const FrameContext&) const {
   throw std::logic_error("an analysis of whole frames has no partials");
 }
 
-void FrameAtoms::reserve(std::uint64_t atoms) {
+void FrameAtoms::reserve(std::uint64_t atoms, bool ids, bool types) {
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(atoms, 1u << 24));
   for (auto* axis : {&x, &y, &z}) axis->reserve(count);
   body.reserve(count);
+  if (ids) id.reserve(count);
+  if (types) type.reserve(count);
+}
+
+void FrameAtoms::clear() {
+  for (auto* axis : {&x, &y, &z}) axis->clear();
+  body.clear();
+  id.clear();
+  type.clear();
 }
 
 void FrameAtoms::add(const AtomBlock& block, std::span<const BodyIndex> bodies, bool ids,
                      bool types) {
-  if (size() + bodies.size() >= most_atoms)
-    throw InputError("more than 2^31 atoms in a frame; choose some by --select");
   append(block.real("x"), bodies, x);
   append(block.real("y"), bodies, y);
   append(block.real("z"), bodies, z);
@@ -60,12 +64,14 @@ void FrameAtoms::sort_by_id() {
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
-  reorder(x, order);
-  reorder(y, order);
-  reorder(z, order);
-  reorder(body, order);
-  reorder(type, order);
-  reorder(id, order);
+  reorder(order);
+}
+
+void FrameAtoms::reorder(const std::vector<std::uint32_t>& order) {
+  for (auto* axis : {&x, &y, &z}) reordered(*axis, order);
+  reordered(body, order);
+  reordered(type, order);
+  reordered(id, order);
 }
 
 }  // namespace mdana

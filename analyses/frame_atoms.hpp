@@ -10,8 +10,7 @@
 
 namespace mdana {
 
-/// All atoms of bodies 1 and 2 in one frame, sorted by id (in the order of the file if ids were not
-/// asked for): 25 bytes an atom, 33 with ids, 4 more with types.
+/// Atoms of bodies 1 and 2 of a frame: 25 bytes an atom, 33 with ids, 4 more with types.
 struct FrameAtoms {
   std::vector<double> x, y, z;        ///< [length], unwrapped as far as the dump allows
   std::vector<BodyIndex> body;        ///< 1, 2
@@ -19,10 +18,12 @@ struct FrameAtoms {
   std::vector<std::int32_t> type;     ///< likewise
 
   std::size_t size() const { return body.size(); }
-  void reserve(std::uint64_t atoms);  ///< a hint, as a header says it
-  /// Atoms of no or another body are left out. Throws InputError beyond 2^31 atoms.
+  void reserve(std::uint64_t atoms, bool ids, bool types);  ///< a hint, as a header says it
+  void clear();                                             ///< keeps the memory
+  /// Atoms of no or another body are left out.
   void add(const AtomBlock& block, std::span<const BodyIndex> bodies, bool ids, bool types);
   void sort_by_id();
+  void reorder(const std::vector<std::uint32_t>& order);  ///< atom order[k] becomes the k-th
 };
 
 }  // namespace mdana

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "analyses/block_pipeline.hpp"
+#include "analyses/frame_store.hpp"
 #include "analyses/merge_tree.hpp"
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
@@ -27,6 +28,7 @@ FramePlan::FramePlan(const Bodies& of_bodies, const Masses& of_masses,
     second_round = second_round || needs.back().after_motion;
     if (!needs.back().whole_frame) continue;
     whole_frame = true;
+    bytes_an_atom = std::max(bytes_an_atom, dynamic_cast<const FrameAnalysis&>(*analysis).bytes_an_atom());
     ids = ids || needs.back().columns.has("id");
     types = types || needs.back().columns.has("type");
   }
@@ -94,7 +96,7 @@ class FrameRun::Rounds {
     kept_bytes_ = 0;
     keep_ = rounds_left_ > 1;
     if (!plan_.whole_frame) return;
-    atoms_ = std::make_shared<FrameAtoms>();
+    atoms_ = std::make_unique<FrameStore>(plan_.frame_memory / plan_.bytes_an_atom, plan_.ids, plan_.types);
     atoms_->reserve(header.atoms);
   }
 
@@ -151,7 +153,7 @@ class FrameRun::Rounds {
       Place& place = places_[slot];
       for (std::size_t i = 0; i < members.size(); ++i) trees[i].push(std::move(place.partials[i]));
       if (plan_.stop && *plan_.stop) throw Interrupted(*plan_.stop);
-      if (gather_) atoms_->add(place.block, place.body, plan_.ids, plan_.types);
+      if (gather_) atoms_->add(place.block, place.body);
       if (kept)
         kept_[collected++] = std::move(place.block);
       else if (rounds_left_ > 1 && keep_)
@@ -164,12 +166,12 @@ class FrameRun::Rounds {
   void whole_frame(const FrameHeader& header, FrameOutcome& outcome) {
     if (atoms_->size() == 0) throw InputError("a frame without atoms of a body");
     kept_.clear();
-    atoms_->sort_by_id();
-    const std::shared_ptr<const FrameAtoms> atoms = std::move(atoms_);
+    atoms_->sort();
+    const auto atoms = std::move(atoms_);
     for (const std::size_t k : whole_) {
       const auto& analysis = dynamic_cast<const FrameAnalysis&>(*plan_.analyses[k]);
       outcome.rows[k].resize(analysis.columns().size());
-      auto product = analysis.look(header, atoms, threads_, outcome.rows[k]);
+      auto product = analysis.look(header, *atoms, threads_, outcome.rows[k]);
       if (product) outcome.products.push_back(std::move(product));
     }
   }
@@ -224,7 +226,7 @@ class FrameRun::Rounds {
   std::size_t kept_bytes_ = 0;
   std::vector<AtomBlock> kept_;
   bool gather_ = false;                ///< in this round, for analyses of whole frames
-  std::shared_ptr<FrameAtoms> atoms_;  ///< of the frame, for them
+  std::unique_ptr<FrameStore> atoms_;  ///< of the frame, for them
 };
 
 FrameRun::FrameRun(const FramePlan& plan, std::size_t threads)

@@ -38,6 +38,8 @@ struct FramePlan {
   bool second_round = false;          ///< some analyses need the bodies' motion first
   bool whole_frame = false;           ///< some analyses need all atoms together
   bool ids = false, types = false;    ///< and these of them
+  std::size_t bytes_an_atom = 1;      ///< that they need
+  std::size_t frame_memory = 0;       ///< bytes for them; larger frames are done in parts
   std::size_t memory = 0;             ///< bytes for blocks kept between two rounds
   std::optional<std::uint64_t> last_digit_seed;
   const std::atomic<int>* stop = nullptr;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analyses/block_pipeline.hpp"
+#include "analyses/free_memory.hpp"
 #include "readers/column_choice.hpp"
 #include "readers/input_error.hpp"
 #include "readers/positions.hpp"
@@ -271,6 +272,7 @@ SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const
     throw std::invalid_argument("sweep: the stride must be at least 1");
   FramePlan plan(bodies, masses, analyses, options.selection);
   plan.memory = options.memory;
+  plan.frame_memory = options.frame_memory.value_or(free_memory() / 2);
   plan.last_digit_seed = options.last_digit_seed;
   plan.stop = options.stop;
   return Sweep(dump, plan, options).run();

@@ -31,6 +31,9 @@ struct SweepOptions {
   std::optional<std::uint64_t> frames;          ///< stop after so many
   std::size_t threads = 1;                      ///< at least 1
   std::size_t memory = std::size_t{128} << 20;  ///< bytes for blocks kept between two rounds
+  /// Bytes for the atoms of a frame that are needed together, besides; what needs more is done in
+  /// parts, by way of temporary files. Default: half of what the machine has free.
+  std::optional<std::size_t> frame_memory;
   bool strict = false;                          ///< damaged input is an error, not a result
   /// Moves every converted real number at random within its last printed digit (see
   /// readers/last_digit.hpp); the number is the seed.

@@ -74,38 +74,47 @@ Json lattices(const DefectHistory& h, std::size_t frame) {
   return list;
 }
 
-/// Half a layer beyond the centres is 0.41 spacings on {111}, 0.35 on {100}, 0.25 on {110}.
-constexpr double radius_error = 0.1;  ///< [spacings]
+/// A column of a body, with that of its error.
+Value of_body(const DefectHistory& h, std::size_t frame, std::string_view name, std::string_view body, Dimension d) {
+  return {at(h, fmt::format("{}{}", name, body), frame), at(h, fmt::format("{}_error{}", name, body), frame), d};
+}
 
 /// Of one body; null if it has none.
 Json body_surface(const DefectHistory& h, std::size_t frame, const std::string& body) {
-  const double radius = at(h, "surface_radius" + body, frame);
-  if (radius == 0) return nullptr;
-  const double error = radius_error * at(h, "spacing", frame);
-  return {{"area", to_json(Value{at(h, "surface_area" + body, frame), {}, dimension::area})},
-          {"volume", to_json(Value{at(h, "surface_volume" + body, frame), {}, dimension::volume})},
-          {"radius", to_json(Value{radius, error, dimension::length})},
+  if (at(h, "surface_radius" + body, frame) == 0) return nullptr;
+  return {{"area", to_json(of_body(h, frame, "surface_area", body, dimension::area))},
+          {"volume", to_json(of_body(h, frame, "surface_volume", body, dimension::volume))},
+          {"radius", to_json(of_body(h, frame, "surface_radius", body, dimension::length))},
           {"radius_atoms", at(h, "radius_atoms" + body, frame)},
           {"radius_gyration", at(h, "radius_gyration" + body, frame)},
           {"voids", whole(at(h, "voids" + body, frame))},
           {"void_volume", to_json(Value{at(h, "void_volume" + body, frame), {}, dimension::volume})}};
 }
 
+/// Of both bodies together, or the mean of those that have it. The rule of the error is the same for both, so
+/// that errors add up.
+Value of_bodies(const DefectHistory& h, std::size_t frame, std::string_view name, Dimension d, bool mean) {
+  double value = 0, error = 0, bodies = 0;
+  for (const char* body : {"1", "2"}) {
+    const Value one = of_body(h, frame, name, body, d);
+    value += one.value;
+    error += one.error.value_or(0);
+    bodies += at(h, fmt::format("surface_radius{}", body), frame) > 0;
+  }
+  const double share = mean ? bodies : 1;
+  return {value / share, error / share, d};
+}
+
+bool has_surface(const DefectHistory& h, std::size_t frame) {
+  return h.table.has("surface_area1") && at(h, "surface_radius1", frame) + at(h, "surface_radius2", frame) > 0;
+}
+
 /// Area and volume of both bodies together, their mean radius, and each; null if they were not asked for.
 Json surface_json(const DefectHistory& h, std::size_t frame) {
-  if (!h.table.has("surface_area1")) return nullptr;
-  double area = 0, volume = 0, radius = 0, bodies = 0;
-  for (const std::string body : {"1", "2"}) {
-    area += at(h, "surface_area" + body, frame);
-    volume += at(h, "surface_volume" + body, frame);
-    radius += at(h, "surface_radius" + body, frame);
-    bodies += at(h, "surface_radius" + body, frame) > 0;
-  }
-  if (bodies == 0) return nullptr;
-  const double error = radius_error * at(h, "spacing", frame);
-  return {{"area", to_json(Value{area, {}, dimension::area})},
-          {"volume", to_json(Value{volume, {}, dimension::volume})},
-          {"radius", to_json(Value{radius / bodies, error, dimension::length})},
+  if (!has_surface(h, frame)) return nullptr;
+  return {{"area", to_json(of_bodies(h, frame, "surface_area", dimension::area, false))},
+          {"volume", to_json(of_bodies(h, frame, "surface_volume", dimension::volume, false))},
+          {"radius", to_json(of_bodies(h, frame, "surface_radius", dimension::length, true))},
           {"bodies", {body_surface(h, frame, "1"), body_surface(h, frame, "2")}}};
 }
 
@@ -175,6 +184,8 @@ void add_first_defect(Document& document, const DefectHistory& h) {
 void add_separation(Document& document, const DefectHistory& h) {
   const auto frame = separation(h);
   document.json("at_separation", nullptr);
+  if (!frame && at(h, "contact", h.steps.size() - 1) > 0)
+    document.line("at separation", "none: still in contact in the last frame");
   if (!frame) return;
   Json json = moment(h, *frame);
   json["counts"] = counts(h, *frame);
@@ -229,6 +240,38 @@ void add_lines(Document& document, const DefectHistory& h) {
                               told(h, worst), residual[worst]));
 }
 
+/// Area, volume and radius of the surfaces in a frame.
+void add_surface(Document& document, const DefectHistory& h, const char* label, std::size_t frame) {
+  if (!has_surface(h, frame)) return;
+  const auto text = [&](const char* name, Dimension d, bool mean) {
+    return to_text(of_bodies(h, frame, name, d, mean), document.units());
+  };
+  document.line(label, fmt::format("area {}, volume {}, radius {}", text("surface_area", dimension::area, false),
+                                   text("surface_volume", dimension::volume, false),
+                                   text("surface_radius", dimension::length, true)));
+}
+
+/// What evenly chosen frames show, a line each.
+void add_course(Document& document, const DefectHistory& h) {
+  constexpr std::size_t most = 12;
+  const std::size_t count = std::min(most, h.steps.size());
+  if (count < 2) return;
+  const bool surfaces = h.table.has("patch_area");
+  std::string head = fmt::format("{:>10}{:>9}{:>8}{:>8}{:>10}{:>10}", "step", "delta", "hcp", "bulk", "faults", "twins");
+  if (surfaces) head += fmt::format("{:>11}{:>10}", "surface", "patch");
+  document.line("in time", head);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t frame = k * (h.steps.size() - 1) / (count - 1);
+    const auto delta = h.delta.empty() ? "-" : fmt::format("{:.3f}", h.delta[frame]);
+    std::string row = fmt::format("{:>10}{:>9}{:>8}{:>8}{:>10.4g}{:>10.4g}", h.steps[frame], delta, at(h, "hcp", frame),
+                                  at(h, "bulk_defect", frame), at(h, "fault_area", frame), at(h, "twin_area", frame));
+    if (surfaces)
+      row += fmt::format("{:>11.5g}{:>10.4g}", at(h, "surface_area1", frame) + at(h, "surface_area2", frame),
+                         at(h, "patch_area", frame));
+    document.line("", row);
+  }
+}
+
 /// Says what the atoms are if they are no fcc or hcp crystal.
 void warn_of_structure(Document& document, const DefectHistory& h) {
   const double crystal = at(h, "fcc", 0) + at(h, "hcp", 0), bulk = at(h, "bulk_defect", 0),
@@ -272,6 +315,9 @@ void add_defects(Document& document, const DefectHistory& h) {
   add_separation(document, h);
   add_greatest(document, h, "faults", false);
   add_greatest(document, h, "twins", true);
+  add_surface(document, h, "surface", 0);
+  if (last > 0) add_surface(document, h, "last surface", last);
+  add_course(document, h);
   Json frames = Json::array();
   for (std::size_t frame = 0; frame <= last; ++frame) frames.push_back(frame_json(h, frame));
   document.json("frames", std::move(frames));

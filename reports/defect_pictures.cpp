@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 
 #include <Eigen/Geometry>
 
@@ -28,20 +27,16 @@ void add_disc(PolyData& data, const FaultPlane& plane) {
 
 }  // namespace
 
-PolyData surface_picture(const FrameAtoms& atoms, const BodySurfaces& surfaces) {
+PolyData surface_picture(const BodySurfaces& surfaces) {
   PolyData data;
   data.cells = {{"body", {}}, {"void", {}}};
-  std::unordered_map<std::uint32_t, std::uint32_t> point_of;
-  const auto point = [&](std::uint32_t atom) {
-    const auto [at, fresh] = point_of.emplace(atom, static_cast<std::uint32_t>(data.points.size()));
-    if (fresh) data.points.emplace_back(atoms.x[atom], atoms.y[atom], atoms.z[atom]);
-    return at->second;
-  };
   for (std::size_t body = 0; body < surfaces.body.size(); ++body) {
     const SurfaceMesh& mesh = surfaces.body[body];
+    const auto first = static_cast<std::uint32_t>(data.points.size());
+    data.points.insert(data.points.end(), mesh.points.begin(), mesh.points.end());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& [a, b, c] = mesh.triangles[t];
-      data.polygons.push_back({point(a), point(b), point(c)});
+      data.polygons.push_back({first + a, first + b, first + c});
       data.cells[0].values.push_back(static_cast<double>(body + 1));
       data.cells[1].values.push_back(mesh.parts[mesh.part[t]].volume < 0 ? 1 : 0);
     }

@@ -7,7 +7,7 @@
 namespace mdana {
 
 /// The surfaces of a frame: triangles with the numbers `body` and `void` (1 for the wall of one).
-PolyData surface_picture(const FrameAtoms& atoms, const BodySurfaces& surfaces);
+PolyData surface_picture(const BodySurfaces& surfaces);
 
 /// Its planar faults: each a disc of its area about its centre, with `kind` (1 intrinsic, 2 extrinsic, 3
 /// twin), `body`, `area` and `atoms`.

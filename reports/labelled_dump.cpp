@@ -10,34 +10,19 @@ namespace {
 
 constexpr const char* prefix = "c_mdana_";
 
-/// A column of the labels: its name, and the value of each atom; empty if it was not asked for.
-struct LabelColumn {
-  std::string name;
-  std::vector<double> values;
-};
-
-template <class T>
-LabelColumn column(const char* name, const std::vector<T>& values) {
-  LabelColumn made{std::string(prefix) + name, {}};
-  made.values.reserve(values.size());
-  for (const T& value : values) made.values.push_back(static_cast<double>(value));
-  return made;
-}
-
-std::vector<LabelColumn> label_columns(const FrameAtoms& atoms, const AtomLabels& labels) {
-  std::vector<LabelColumn> all{column("body", atoms.body),
-                               column("structure", labels.structure),
-                               column("site", labels.site),
-                               column("margin", labels.margin),
-                               column("cluster", labels.cluster),
-                               column("csp", labels.centro_symmetry),
-                               column("coordination", labels.coordination)};
-  std::erase_if(all, [](const LabelColumn& c) { return c.values.empty(); });
-  return all;
-}
-
-void put(std::span<const double> values, std::size_t first, std::span<double> block) {
-  std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
+/// Calls use(name, values) for the columns that there are.
+template <class Use>
+void for_columns(const FrameAtoms& atoms, const AtomLabels& labels, const Use& use) {
+  const auto column = [&](const char* name, const auto& values) {
+    if (!values.empty()) use(std::string(prefix) + name, values);
+  };
+  column("body", atoms.body);
+  column("structure", labels.structure);
+  column("site", labels.site);
+  column("margin", labels.margin);
+  column("cluster", labels.cluster);
+  column("csp", labels.centro_symmetry);
+  column("coordination", labels.coordination);
 }
 
 std::array<std::string, 3> axes(const Box& box) {
@@ -58,34 +43,39 @@ LabelledDump::LabelledDump(const std::filesystem::path& place, const Format& for
       units_(run.units),
       timestep_(run.timestep_source == "dump" ? std::nullopt : run.timestep) {}
 
-void LabelledDump::add(const FrameHeader& header, const FrameAtoms& atoms,
-                       const AtomLabels& labels) {
-  const auto columns = label_columns(atoms, labels);
+void LabelledDump::add(const FrameHeader& header, const LabelledAtoms& all) {
   const auto axis = axes(header.box);
-  FrameHeader out = header;
-  out.atoms = atoms.size();
-  out.units = units_;
-  if (timestep_) out.time = static_cast<double>(header.step) * *timestep_;
-  out.columns.clear();
-  if (!atoms.id.empty()) out.columns.push_back("id");
-  if (!atoms.type.empty()) out.columns.push_back("type");
-  out.columns.insert(out.columns.end(), axis.begin(), axis.end());
-  for (const LabelColumn& c : columns) out.columns.push_back(c.name);
-  writer_->begin(out);
+  blocks_ = 0;
+  all.for_blocks([&](const FrameAtoms& atoms, const AtomLabels& labels) {
+    if (blocks_ == 0) {
+      FrameHeader out = header;
+      out.atoms = all.size();
+      out.units = units_;
+      if (timestep_) out.time = static_cast<double>(header.step) * *timestep_;
+      out.columns.clear();
+      if (!atoms.id.empty()) out.columns.push_back("id");
+      if (!atoms.type.empty()) out.columns.push_back("type");
+      out.columns.insert(out.columns.end(), axis.begin(), axis.end());
+      for_columns(atoms, labels, [&](const std::string& name, const auto&) { out.columns.push_back(name); });
+      writer_->begin(out);
+    }
+    add_block(axis, atoms, labels);
+  });
+}
+
+void LabelledDump::add_block(const std::array<std::string, 3>& axis, const FrameAtoms& atoms,
+                             const AtomLabels& labels) {
   AtomBlock block;
-  for (std::size_t first = 0; first < atoms.size(); first += AtomBlock::capacity) {
-    block.reset(first / AtomBlock::capacity, std::min(AtomBlock::capacity, atoms.size() - first));
-    const auto at = static_cast<std::ptrdiff_t>(first);
-    const auto count = static_cast<std::ptrdiff_t>(block.atoms());
-    if (!atoms.id.empty()) std::copy_n(atoms.id.begin() + at, count, block.make_integer("id").begin());
-    if (!atoms.type.empty())
-      std::copy_n(atoms.type.begin() + at, count, block.make_integer("type").begin());
-    put(atoms.x, first, block.make_real(axis[0]));
-    put(atoms.y, first, block.make_real(axis[1]));
-    put(atoms.z, first, block.make_real(axis[2]));
-    for (const LabelColumn& c : columns) put(c.values, first, block.make_real(c.name));
-    writer_->add(block);
-  }
+  block.reset(blocks_++, atoms.size());
+  if (!atoms.id.empty()) std::ranges::copy(atoms.id, block.make_integer("id").begin());
+  if (!atoms.type.empty()) std::ranges::copy(atoms.type, block.make_integer("type").begin());
+  std::ranges::copy(atoms.x, block.make_real(axis[0]).begin());
+  std::ranges::copy(atoms.y, block.make_real(axis[1]).begin());
+  std::ranges::copy(atoms.z, block.make_real(axis[2]).begin());
+  for_columns(atoms, labels, [&](const std::string& name, const auto& values) {
+    std::ranges::transform(values, block.make_real(name).begin(), [](auto value) { return static_cast<double>(value); });
+  });
+  writer_->add(block);
 }
 
 void LabelledDump::commit() {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "analyses/defects.hpp"
 #include "readers/format.hpp"
@@ -20,14 +24,17 @@ class LabelledDump {
   /// Throws InputError if the format cannot be written there, or the place is that of the input.
   LabelledDump(const std::filesystem::path& place, const Format& format, const Run& run);
 
-  void add(const FrameHeader& header, const FrameAtoms& atoms, const AtomLabels& labels);
+  void add(const FrameHeader& header, const LabelledAtoms& atoms);
   void commit();  ///< after the last frame
 
  private:
+  void add_block(const std::array<std::string, 3>& axes, const FrameAtoms& atoms, const AtomLabels& labels);
+
   OutputFile file_;
   std::unique_ptr<FrameWriter> writer_;
   Units units_;
   std::optional<double> timestep_;
+  std::uint64_t blocks_ = 0;  ///< of the frame
 };
 
 }  // namespace mdana

@@ -36,30 +36,13 @@ std::vector<double> segment_row(std::int64_t step, std::uint32_t track, const Di
           static_cast<double>(s.ends[0]), static_cast<double>(s.ends[1])};
 }
 
-/// Of the atoms of bodies 1 and 2: mean place and, as fcc, volume.
-void set_bodies(LineFrame& frame, const FrameAtoms& atoms) {
-  std::array<double, 2> count{};
-  for (auto& centre : frame.centre) centre.setZero();
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    const BodyIndex body = atoms.body[i];
-    if (body != 1 && body != 2) continue;
-    frame.centre[body - 1u] += Eigen::Vector3d(atoms.x[i], atoms.y[i], atoms.z[i]);
-    count[body - 1u] += 1;
-  }
-  for (std::size_t b = 0; b < 2; ++b) {
-    if (count[b] > 0) frame.centre[b] /= count[b];
-    frame.volume[b] = count[b] * frame.spacing * frame.spacing * frame.spacing / std::numbers::sqrt2;
-  }
-}
-
 }  // namespace
 
 LineHistory::LineHistory() : segments_(segment_columns()) {}
 
-void LineHistory::add(const FrameAtoms& atoms, const FrameDefects& found) {
-  LineFrame frame{found.lines, found.lattice, {}, {}, found.spacing};
-  set_bodies(frame, atoms);
-  const std::vector<std::uint32_t> tracks = tracks_.add(frame);
+void LineHistory::add(const FrameDefects& found) {
+  const std::vector<std::uint32_t> tracks =
+      tracks_.add({found.lines, found.lattice, found.centre, found.volume, found.spacing});
   for (std::size_t k = 0; k < tracks.size(); ++k)
     segments_.add_row(segment_row(found.step, tracks[k], found.lines.segments[k]));
   frames_.push_back(lines_json(found.lines, tracks, found.spacing));

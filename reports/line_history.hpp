@@ -16,7 +16,7 @@ class LineHistory {
   LineHistory();
 
   /// Frames in order.
-  void add(const FrameAtoms& atoms, const FrameDefects& found);
+  void add(const FrameDefects& found);
   void finish() { tracks_.finish(); }
 
   bool empty() const { return frames_.empty(); }

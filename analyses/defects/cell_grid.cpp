@@ -14,21 +14,11 @@ namespace {
 constexpr int bits = 21;
 constexpr std::uint64_t most_cells = (1u << bits) - 2;  ///< along an axis
 
-/// Smallest and greatest coordinate.
-struct Extent {
-  double lo, hi;
-};
-
-Extent extent(const std::vector<double>& values) {
-  const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-  return {*lo, *hi};
-}
-
-[[noreturn]] void not_finite(const FrameAtoms& atoms) {
+[[noreturn]] void not_finite(const FrameAtoms& atoms, std::size_t first) {
   for (std::size_t i = 0; i < atoms.size(); ++i)
     if (!std::isfinite(atoms.x[i]) || !std::isfinite(atoms.y[i]) || !std::isfinite(atoms.z[i]))
       throw InputError(atoms.id.empty()
-                           ? fmt::format("the position of atom {} (by order) is not finite", i + 1)
+                           ? fmt::format("the position of atom {} (by order) is not finite", first + i + 1)
                            : fmt::format("the position of atom id {} is not finite", atoms.id[i]));
   throw InputError("a position is not finite");
 }
@@ -39,55 +29,43 @@ std::int32_t whole(double scaled) {
       static_cast<std::uint64_t>(scaled * units_a_spacing + 0.5)));
 }
 
-/// Cells along the three axes, and what puts an atom into one.
+std::uint64_t key_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return (z + 1) << (2 * bits) | (y + 1) << bits | (x + 1);
+}
+
+/// The part of the cells that some atoms are in, empty ones included.
 class Cells {
  public:
-  Cells(const FrameAtoms& atoms, double spacing) : scale_(1 / spacing), cells_(1 / (reach * spacing)) {
-    double sum = 0;  // not finite if a position is not
-    for (std::size_t i = 0; i < atoms.size(); ++i) sum += 0 * (atoms.x[i] + atoms.y[i] + atoms.z[i]);
-    if (sum != 0) not_finite(atoms);
-    const Extent extents[] = {extent(atoms.x), extent(atoms.y), extent(atoms.z)};
+  Cells(const FrameAtoms& atoms, const CellSpace& space) : space_(space) {
+    const std::vector<double>* along[] = {&atoms.x, &atoms.y, &atoms.z};
     for (std::size_t k = 0; k < 3; ++k) {
-      origin_[k] = extents[k].lo;
-      const double count = (extents[k].hi - origin_[k]) * cells_ + 1;
-      if (!(count < static_cast<double>(most_cells)))
-        throw InputError(fmt::format("atoms lie {:.3g} neighbour distances of {:.3g} apart: some are "
-                                     "lost, or on top of each other; leave them out by --select, or "
-                                     "state --spacing", count * reach, spacing));
-      count_[k] = static_cast<std::uint64_t>(count);
+      const auto [lo, hi] = std::minmax_element(along[k]->begin(), along[k]->end());
+      first_[k] = space.cell(*lo, k);
+      count_[k] = space.cell(*hi, k) + 1 - first_[k];
     }
   }
 
-  std::int32_t position(double at, std::size_t axis) const {
-    return whole((at - origin_[axis]) * scale_);
-  }
-  std::uint64_t cell(double at, std::size_t axis) const {
-    return static_cast<std::uint64_t>((at - origin_[axis]) * cells_);
-  }
   std::uint64_t key(const FrameAtoms& a, std::size_t i) const {
-    return key_of(cell(a.x[i], 0), cell(a.y[i], 1), cell(a.z[i], 2));
+    return key_of(space_.cell(a.x[i], 0), space_.cell(a.y[i], 1), space_.cell(a.z[i], 2));
   }
   std::uint64_t number(const FrameAtoms& a, std::size_t i) const {
-    return (cell(a.z[i], 2) * count_[1] + cell(a.y[i], 1)) * count_[0] + cell(a.x[i], 0);
+    const std::uint64_t x = space_.cell(a.x[i], 0) - first_[0], y = space_.cell(a.y[i], 1) - first_[1],
+                        z = space_.cell(a.z[i], 2) - first_[2];
+    return (z * count_[1] + y) * count_[0] + x;
   }
   std::uint64_t key_of_number(std::uint64_t number) const {
     const std::uint64_t rows = number / count_[0];
-    return key_of(number % count_[0], rows % count_[1], rows / count_[1]);
+    return key_of(first_[0] + number % count_[0], first_[1] + rows % count_[1], first_[2] + rows / count_[1]);
   }
-  /// Empty ones, too; a great number if it cannot be told.
+  /// A great number if it cannot be told.
   double all() const {
     return static_cast<double>(count_[0]) * static_cast<double>(count_[1]) *
            static_cast<double>(count_[2]);
   }
 
  private:
-  static std::uint64_t key_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-    return (z + 1) << (2 * bits) | (y + 1) << bits | (x + 1);
-  }
-
-  double scale_, cells_;  ///< spacings, cells a length
-  std::array<double, 3> origin_;
-  std::array<std::uint64_t, 3> count_;
+  const CellSpace& space_;
+  std::array<std::uint64_t, 3> first_, count_;
 };
 
 /// Atoms by cell where cells can be counted one by one.
@@ -127,8 +105,32 @@ void sort_by_comparing(const FrameAtoms& atoms, const Cells& cells, CellGrid& gr
 
 }  // namespace
 
-CellGrid::CellGrid(const FrameAtoms& atoms, double of_spacing) : spacing(of_spacing) {
-  const Cells cells(atoms, spacing);
+CellSpace::CellSpace(const Eigen::AlignedBox3d& box, double of_spacing)
+    : spacing(of_spacing), origin(box.min()), scale_(1 / spacing), cells_(1 / (reach * spacing)) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const double cells = (box.max()[axis] - origin[axis]) * cells_ + 1;
+    if (!(cells < static_cast<double>(most_cells)))
+      throw InputError(fmt::format("atoms lie {:.3g} neighbour distances of {:.3g} apart: some are "
+                                   "lost, or on top of each other; leave them out by --select, or "
+                                   "state --spacing", cells * reach, spacing));
+    count[k] = static_cast<std::uint64_t>(cells);
+  }
+}
+
+std::uint64_t CellSpace::cell(double at, std::size_t axis) const {
+  return static_cast<std::uint64_t>((at - origin[static_cast<Eigen::Index>(axis)]) * cells_);
+}
+
+std::int32_t CellSpace::position(double at, std::size_t axis) const {
+  return whole((at - origin[static_cast<Eigen::Index>(axis)]) * scale_);
+}
+
+CellGrid::CellGrid(const FrameAtoms& atoms, double of_spacing)
+    : CellGrid(atoms, CellSpace(box_of(atoms), of_spacing)) {}
+
+CellGrid::CellGrid(const FrameAtoms& atoms, const CellSpace& space) : spacing(space.spacing) {
+  const Cells cells(atoms, space);
   const std::size_t n = atoms.size();
   const bool countable = cells.all() <= 2 * static_cast<double>(n) + 4096;
   countable ? sort_by_counting(atoms, cells, *this) : sort_by_comparing(atoms, cells, *this);
@@ -136,9 +138,9 @@ CellGrid::CellGrid(const FrameAtoms& atoms, double of_spacing) : spacing(of_spac
   for (auto* axis : {&x, &y, &z}) axis->resize(n + padding);
   for (std::size_t s = 0; s < n; ++s) {
     const std::uint32_t i = atom[s];
-    x[s] = cells.position(atoms.x[i], 0);
-    y[s] = cells.position(atoms.y[i], 1);
-    z[s] = cells.position(atoms.z[i], 2);
+    x[s] = space.position(atoms.x[i], 0);
+    y[s] = space.position(atoms.y[i], 1);
+    z[s] = space.position(atoms.z[i], 2);
   }
 }
 
@@ -151,10 +153,25 @@ std::size_t CellGrid::at_or_after(std::uint64_t wanted) const {
   return static_cast<std::size_t>(std::lower_bound(key.begin(), key.end(), wanted) - key.begin());
 }
 
+std::uint64_t cell_along(std::uint64_t key, std::size_t axis) {
+  return (key >> (axis * bits) & ((1u << bits) - 1)) - 1;
+}
+
+Eigen::AlignedBox3d box_of(const FrameAtoms& atoms, std::size_t first) {
+  double sum = 0;  // not finite if a position is not
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const Eigen::Vector3d at(atoms.x[i], atoms.y[i], atoms.z[i]);
+    sum += 0 * at.sum();
+    box.extend(at);
+  }
+  if (sum != 0) not_finite(atoms, first);
+  return box;
+}
+
 std::array<std::int32_t, 3> middle_of(std::uint64_t key) {
-  const auto along = [key](int k) {
-    const std::uint64_t cell = (key >> (k * bits) & ((1u << bits) - 1)) - 1;
-    return whole((static_cast<double>(cell) + 0.5) * reach);
+  const auto along = [key](std::size_t axis) {
+    return whole((static_cast<double>(cell_along(key, axis)) + 0.5) * reach);
   };
   return {along(0), along(1), along(2)};
 }

@@ -40,7 +40,7 @@ Seen seen(std::string_view stacking, int n) {
   settings.ids = false;
   const auto analysis = make_defects(settings);
   std::vector<double> row(analysis->columns().size());
-  dynamic_cast<const FrameAnalysis&>(*analysis).look({}, stacked(stacking, n), 1, row);
+  dynamic_cast<const FrameAnalysis&>(*analysis).look({}, FrameStore(stacked(stacking, n)), 1, row);
   Table table(analysis->columns());
   table.add_row(row);
   const auto value = [&](const char* name) { return table.column(name)[0]; };

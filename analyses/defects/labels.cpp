@@ -32,6 +32,20 @@ void label_by_search(Sites& sites) {
 
 }  // namespace
 
+Sites::Sites(const CellGrid& of_grid, const SearchMaker& maker, std::size_t with_threads, const Slab& of_slab,
+             bool margins)
+    : grid(of_grid), search(maker), threads(with_threads), slab(of_slab), structure(slab.atoms->size()) {
+  body.reserve(structure.size());
+  for (const std::uint32_t i : grid.atom) body.push_back(slab.atoms->body[i]);
+  if (margins) margin.resize(structure.size());
+  if (slab.whole()) return;
+  own.reserve(structure.size());
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
+    const std::uint64_t along = cell_along(grid.key[cell], slab.axis);
+    own.insert(own.end(), grid.start[cell + 1] - grid.start[cell], along >= slab.first && along < slab.end);
+  }
+}
+
 std::vector<std::uint32_t> places_of(const Sites& sites, Structure structure) {
   std::vector<std::uint32_t> places;
   for (std::size_t i = 0; i < sites.structure.size(); ++i)
@@ -66,8 +80,8 @@ OtherStructures find_other_structures(Sites& sites, bool label_bcc, bool label_i
   });
   OtherStructures count;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    count.bcc += found[k] == Structure::bcc;
-    count.ico += found[k] == Structure::ico;
+    count.bcc += found[k] == Structure::bcc && sites.is_own(places[k]);
+    count.ico += found[k] == Structure::ico && sites.is_own(places[k]);
     if (!(found[k] == Structure::bcc && label_bcc) && !(found[k] == Structure::ico && label_ico))
       continue;
     sites.structure[places[k]] = found[k];

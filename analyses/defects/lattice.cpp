@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/defects/lattice.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/SVD>
 
-#include "analyses/defects/planes.hpp"
-#include "readers/disjoint_sets.hpp"
+#include "analyses/defects/atom_hash.hpp"
 
 namespace mdana {
 namespace {
@@ -73,29 +74,6 @@ Turn turn_of(const Eigen::Matrix3d& map) {
   return Turn(Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose()));
 }
 
-/// Evenly chosen fcc atoms of a body.
-std::vector<std::uint32_t> sampled(const Sites& sites, BodyIndex body) {
-  auto places = places_of(sites, Structure::fcc);
-  std::erase_if(places, [&](std::uint32_t place) { return sites.body[place] != body; });
-  if (places.size() <= sample) return places;
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t k = 0; k < sample; ++k) chosen.push_back(places[k * places.size() / sample]);
-  return chosen;
-}
-
-std::vector<Turn> turns(const Sites& sites, const std::vector<std::uint32_t>& places) {
-  std::vector<std::optional<Turn>> found(places.size());
-  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours, NeighbourSearch&) {
-    const auto twelve = nearest_twelve(neighbours);
-    const auto map = twelve ? deformation(*twelve) : std::nullopt;
-    if (map) found[k] = turn_of(*map);
-  });
-  std::vector<Turn> all;
-  for (const auto& turn : found)
-    if (turn) all.push_back(*turn);
-  return all;
-}
-
 /// Mean of those that agree with one of them, and their share.
 BodyLattice about(const std::vector<Turn>& all, const Turn& middle) {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -110,8 +88,51 @@ BodyLattice about(const std::vector<Turn>& all, const Turn& middle) {
 
 }  // namespace
 
-BodyLattice find_lattice(const Sites& sites, BodyIndex body) {
-  const std::vector<Turn> all = turns(sites, sampled(sites, body));
+void LatticeSample::add(const Sites& sites) {
+  for (std::uint32_t place = 0; place < sites.structure.size(); ++place)
+    if (sites.structure[place] == Structure::fcc && sites.body[place] == body_ && sites.is_own(place))
+      take(hash_of(static_cast<std::uint64_t>(sites.number(place))), sites.index(place), place);
+  std::vector<std::uint32_t> places;
+  std::vector<Atom*> atoms;
+  for (Atom& atom : atoms_) {
+    if (atom.known) continue;
+    places.push_back(atom.place);
+    atoms.push_back(&atom);
+  }
+  for_neighbours(sites, places, [&](std::size_t k, const Neighbours& neighbours, NeighbourSearch&) {
+    const auto twelve = nearest_twelve(neighbours);
+    const auto map = twelve ? deformation(*twelve) : std::nullopt;
+    if (map) atoms[k]->turn = turn_of(*map);
+    atoms[k]->known = true;
+  });
+}
+
+/// The sample is a heap, highest hash first.
+void LatticeSample::take(std::uint64_t hash, std::uint32_t index, std::uint32_t place) {
+  const auto lower = [](const Atom& a, const Atom& b) {
+    return a.hash < b.hash || (a.hash == b.hash && a.index < b.index);
+  };
+  const Atom atom{hash, index, place, false, {}};
+  if (atoms_.size() == sample) {
+    if (!lower(atom, atoms_.front())) return;
+    std::ranges::pop_heap(atoms_, lower);
+    atoms_.pop_back();
+  }
+  atoms_.push_back(atom);
+  std::ranges::push_heap(atoms_, lower);
+}
+
+std::vector<Turn> LatticeSample::turns() const {
+  std::vector<Atom> sorted = atoms_;
+  std::ranges::sort(sorted, {}, [](const Atom& atom) { return std::pair(atom.hash, atom.index); });
+  std::vector<Turn> all;
+  for (const Atom& atom : sorted)
+    if (atom.turn) all.push_back(*atom.turn);
+  return all;
+}
+
+BodyLattice LatticeSample::lattice() const {
+  const std::vector<Turn> all = turns();
   BodyLattice best;
   for (std::size_t k = 0; k < std::min(candidates, all.size()); ++k) {
     const BodyLattice lattice = about(all, all[k * all.size() / std::min(candidates, all.size())]);
@@ -119,35 +140,6 @@ BodyLattice find_lattice(const Sites& sites, BodyIndex body) {
   }
   if (best.share > 0) best.turn = nearest_turn(best.turn, Turn::Identity());
   return best;
-}
-
-std::vector<std::uint32_t> find_fcc_clusters(const Sites& sites) {
-  const auto places = places_of(sites, Structure::fcc);
-  DisjointSets sets(sites.structure.size());
-  const auto search = sites.search();
-  Neighbours found;
-  for (const std::uint32_t place : places) {
-    search->about(place, found);
-    for (const Neighbour& n : found)
-      if (n.place < place && n.d2 < between_shells * between_shells &&
-          sites.structure[n.place] == Structure::fcc)
-        sets.join(place, n.place);
-  }
-  std::vector<std::uint32_t> lowest(sites.structure.size(), ~0u);  // atom of each root
-  for (const std::uint32_t place : places) {
-    std::uint32_t& atom = lowest[sets.root(place)];
-    atom = std::min(atom, sites.grid.atom[place]);
-  }
-  std::vector<std::uint32_t> roots;
-  for (const std::uint32_t place : places)
-    if (sets.root(place) == place) roots.push_back(place);
-  std::sort(roots.begin(), roots.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return lowest[a] < lowest[b]; });
-  std::vector<std::uint32_t> number(sites.structure.size());
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    number[roots[k]] = static_cast<std::uint32_t>(k + 1);
-  for (const std::uint32_t place : places) number[place] = number[sets.root(place)];
-  return number;
 }
 
 }  // namespace defects

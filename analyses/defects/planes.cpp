@@ -16,13 +16,13 @@ constexpr double parallel = 0.9;      ///< least cosine between the normals of o
 constexpr double second_layer = 1.2;  ///< [spacings]; it is 2 sqrt(2/3) = 1.63 away
 constexpr std::uint32_t none = ~0u;
 
-/// A hcp atom: its close-packed layer and the three neighbours on either side.
+/// A hcp atom of a slab: its close-packed layer and the three neighbours on either side.
 struct LayerAtom {
   std::uint32_t place = 0;
   Eigen::Vector3d normal;
   double area = 0;  ///< in its layer [spacings^2]
   std::vector<std::uint32_t> in_plane, side[2];  ///< places
-  std::vector<std::uint32_t> partners;           ///< layer atoms two layers away
+  std::vector<std::uint32_t> partners;           ///< places of those two layers away
   bool hcp_beside = false;  ///< one of those is hcp with a parallel layer
   bool sure = false;        ///< all about it have a structure, or one tells the kind
   PlanarFault kind = PlanarFault::none;
@@ -66,7 +66,7 @@ LayerAtom layer_atom(std::uint32_t place, const Neighbours& found) {
   return atom;
 }
 
-/// All hcp atoms of a frame, and which of them stack to what.
+/// All hcp atoms of a slab, and which of them stack to what.
 class Layers {
  public:
   explicit Layers(const Sites& sites) : sites_(sites), places_(places_of(sites, Structure::hcp)) {
@@ -148,8 +148,7 @@ class Layers {
       for (const Neighbour& next : theirs) {
         const double more = next.offset.cast<double>().dot(atom.normal);
         if (next.d2 > touching * touching || std::abs(height + more) < second_layer) continue;
-        const std::uint32_t partner = parallel_at(atom, next.place);
-        if (partner != none) atom.partners.push_back(partner);
+        if (parallel_at(atom, next.place) != none) atom.partners.push_back(next.place);
       }
     }
     std::sort(atom.partners.begin(), atom.partners.end());
@@ -162,40 +161,24 @@ class Layers {
   std::vector<LayerAtom> atoms_;
 };
 
-/// Joins the layer atoms of one fault.
-DisjointSets joined(const Layers& layers) {
-  const auto& atoms = layers.atoms();
-  DisjointSets sets(atoms.size());
-  for (std::uint32_t k = 0; k < atoms.size(); ++k) {
-    const auto join = [&](std::uint32_t other) {
-      if (other != none && atoms[other].kind == atoms[k].kind) sets.join(k, other);
-    };
-    for (const auto* places : {&atoms[k].in_plane, &atoms[k].side[0], &atoms[k].side[1]})
-      for (const std::uint32_t place : *places) join(layers.parallel_at(atoms[k], place));
-    for (const std::uint32_t partner : atoms[k].partners) join(partner);
-  }
-  return sets;
-}
-
 bool at_edge(Site site) { return site == Site::surface || site == Site::contact; }
 
 /// The layer atoms of one fault together.
 class Piece {
  public:
-  void add(const LayerAtom& atom, const Sites& sites, const FrameAtoms& atoms) {
+  void add(const FaultFinder::Atom& atom) {
     if (plane_.atoms++ == 0) {
       plane_.kind = atom.kind;
-      plane_.body = sites.body[atom.place];
+      plane_.body = atom.body;
       plane_.normal = plane_.centre = Eigen::Vector3d::Zero();
       first_ = atom.normal;
     }
-    const std::uint32_t i = sites.grid.atom[atom.place];
-    plane_.centre += Eigen::Vector3d(atoms.x[i], atoms.y[i], atoms.z[i]);
+    plane_.centre += atom.at;
     plane_.normal += atom.normal.dot(first_) < 0 ? Eigen::Vector3d(-atom.normal) : atom.normal;
     area_ += atom.area;
-    for (const std::uint32_t place : atom.in_plane)
-      if (at_edge(sites.site[place])) edge_.push_back(place);
   }
+  void add_edge(std::uint32_t atom) { edge_.push_back(atom); }
+  std::size_t atoms() const { return plane_.atoms; }
 
   /// Two layers of hcp atoms make a stacking fault, one a twin boundary. The atoms at the surface go on
   /// with the layer.
@@ -217,7 +200,7 @@ class Piece {
   FaultPlane plane_;
   Eigen::Vector3d first_;
   double area_ = 0;                  ///< [spacings^2]
-  std::vector<std::uint32_t> edge_;  ///< places
+  std::vector<std::uint32_t> edge_;  ///< indices in the frame
 };
 
 }  // namespace
@@ -233,21 +216,42 @@ HcpLayer hcp_layer(const std::array<Neighbour, 12>& twelve) {
   return layer;
 }
 
-std::vector<FaultPlane> find_planes(const Sites& sites, const FrameAtoms& atoms) {
+void FaultFinder::add(const Sites& sites) {
   const Layers layers(sites);
-  DisjointSets sets = joined(layers);
+  for (const LayerAtom& atom : layers.atoms()) {
+    if (!sites.is_own(atom.place)) continue;
+    const std::uint32_t index = sites.index(atom.place);
+    atoms_.push_back({index, sites.body[atom.place], atom.kind, atom.area, atom.normal, sites.position(atom.place)});
+    for (const auto* places : {&atom.in_plane, &atom.side[0], &atom.side[1], &atom.partners})
+      for (const std::uint32_t place : *places)
+        if (layers.parallel_at(atom, place) != none) links_.emplace_back(index, sites.index(place));
+    for (const std::uint32_t place : atom.in_plane)
+      if (at_edge(sites.site[place])) edges_.emplace_back(index, sites.index(place));
+  }
+}
+
+std::size_t FaultFinder::place_of(std::uint32_t index) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(atoms_, index, {}, &Atom::index) - atoms_.begin());
+}
+
+std::vector<FaultPlane> FaultFinder::planes(double spacing) {
+  std::ranges::sort(atoms_, {}, &Atom::index);
+  DisjointSets sets(atoms_.size());
+  for (const auto& [from, to] : links_) {
+    const std::size_t a = place_of(from), b = place_of(to);
+    if (atoms_[a].kind == atoms_[b].kind) sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  }
   std::map<std::uint32_t, Piece> pieces;
-  std::map<std::uint32_t, std::size_t> sizes;
-  for (std::uint32_t k = 0; k < layers.atoms().size(); ++k) {
-    if (layers.atoms()[k].kind == PlanarFault::none) continue;
-    pieces[sets.root(k)].add(layers.atoms()[k], sites, atoms);
-    ++sizes[sets.root(k)];
+  for (std::uint32_t k = 0; k < atoms_.size(); ++k)
+    if (atoms_[k].kind != PlanarFault::none) pieces[sets.root(k)].add(atoms_[k]);
+  for (const auto& [atom, edge] : edges_) {
+    const auto piece = pieces.find(sets.root(static_cast<std::uint32_t>(place_of(atom))));
+    if (piece != pieces.end()) piece->second.add_edge(edge);
   }
   std::vector<FaultPlane> planes;
   for (auto& [root, piece] : pieces)
-    if (sizes[root] >= least_plane) planes.push_back(piece.finish(sites.grid.spacing));
-  std::stable_sort(planes.begin(), planes.end(),
-                   [](const FaultPlane& a, const FaultPlane& b) { return a.area > b.area; });
+    if (piece.atoms() >= least_plane) planes.push_back(piece.finish(spacing));
+  std::ranges::stable_sort(planes, std::greater(), &FaultPlane::area);
   return planes;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "analyses/defects/labels.hpp"
@@ -14,18 +16,32 @@ struct HcpLayer {
 };
 HcpLayer hcp_layer(const std::array<Neighbour, 12>& twelve);
 
-/// Planar faults of the hcp atoms; pieces of fewer atoms than this are none.
+/// Pieces of fewer hcp atoms than this are no planes.
 inline constexpr std::size_t least_plane = 4;
-std::vector<FaultPlane> find_planes(const Sites& sites, const FrameAtoms& atoms);
 
-/// Turn of a body's lattice, from a sample of its fcc atoms; a zero quaternion without any.
-struct BodyLattice {
-  Eigen::Quaterniond turn{0, 0, 0, 0};
-  double share = 0;  ///< of the sample that agrees within 10 degrees
+/// Planar faults of the hcp atoms of slab after slab.
+class FaultFinder {
+ public:
+  void add(const Sites& sites);
+  std::vector<FaultPlane> planes(double spacing);  ///< of all slabs, greatest first
+
+  /// A hcp atom and its close-packed layer.
+  struct Atom {
+    std::uint32_t index;  ///< in the frame
+    BodyIndex body;
+    PlanarFault kind;
+    double area;  ///< in its layer [spacings^2]
+    Eigen::Vector3d normal, at;
+  };
+
+ private:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< indices in the frame
+
+  std::size_t place_of(std::uint32_t index) const;
+
+  std::vector<Atom> atoms_;
+  std::vector<Pair> links_;  ///< of hcp atoms of parallel layers that may be of one fault
+  std::vector<Pair> edges_;  ///< of a hcp atom and one at the surface in its layer
 };
-BodyLattice find_lattice(const Sites& sites, BodyIndex body);
-
-/// Connected fcc atoms, by place: 1, 2, ... by lowest index of an atom in the frame; 0 is none.
-std::vector<std::uint32_t> find_fcc_clusters(const Sites& sites);
 
 }  // namespace mdana::defects

@@ -21,22 +21,19 @@ struct Surroundings {
   bool contact = false, incomplete = false, exposed = false;
 };
 
-[[noreturn]] void same_place(const FrameAtoms& atoms, std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t first = std::min(a, b), second = std::max(a, b);
-  throw InputError(
-      atoms.id.empty()
-          ? fmt::format("atoms {} and {} (by order) are at the same place", first + 1, second + 1)
-          : fmt::format("the atoms of ids {} and {} are at the same place", atoms.id[first],
-                        atoms.id[second]));
+[[noreturn]] void same_place(const Sites& sites, std::uint32_t a, std::uint32_t b) {
+  const auto [first, second] = std::minmax({sites.number(a), sites.number(b)});
+  throw InputError(sites.slab.atoms->id.empty()
+                       ? fmt::format("atoms {} and {} (by order) are at the same place", first + 1, second + 1)
+                       : fmt::format("the atoms of ids {} and {} are at the same place", first, second));
 }
 
-Surroundings surroundings(const Sites& sites, const FrameAtoms& atoms, std::uint32_t place,
-                          const Neighbours& all) {
+Surroundings surroundings(const Sites& sites, std::uint32_t place, const Neighbours& all) {
   Surroundings about;
   std::size_t count = 0;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const Neighbour& n : all) {
-    if (n.d2 == 0) same_place(atoms, sites.grid.atom[place], sites.grid.atom[n.place]);
+    if (n.d2 == 0) same_place(sites, place, n.place);
     if (n.d2 < touching * touching && sites.body[n.place] != sites.body[place])
       about.contact = true;
     count += n.d2 < between_shells * between_shells;
@@ -67,20 +64,20 @@ void spread_surface(Sites& sites, const std::vector<std::uint32_t>& undecided) {
 
 }  // namespace
 
-std::size_t find_sites(Sites& sites, const FrameAtoms& atoms) {
+std::size_t find_sites(Sites& sites) {
   sites.site.assign(sites.structure.size(), Site::crystal);
   const auto places = places_of(sites, Structure::other);
   std::vector<std::uint32_t> undecided;
   std::vector<Surroundings> about(places.size());
   std::vector<Labelled> labelled(places.size());
   for_neighbours(sites, places, [&](std::size_t k, const Neighbours& found, NeighbourSearch& search) {
-    about[k] = surroundings(sites, atoms, places[k], found);
+    about[k] = surroundings(sites, places[k], found);
     labelled[k] = repaired(sites, found, search);
   });
   std::size_t repaired = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (labelled[k].structure != Structure::other) {
-      ++repaired;
+      repaired += sites.is_own(places[k]);
       sites.structure[places[k]] = labelled[k].structure;
       if (!sites.margin.empty()) sites.margin[places[k]] = labelled[k].margin;
       continue;

@@ -2,7 +2,6 @@
 #include "analyses/defects/spacing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,20 +23,19 @@ Eigen::Vector3d position(const FrameAtoms& atoms, std::size_t i) {
   return {atoms.x[i], atoms.y[i], atoms.z[i]};
 }
 
-/// Squared distances and numbers of the atoms of a heap, farthest first.
+/// The atoms nearest to a place, of those that are shown.
 class NearestAtoms {
  public:
-  NearestAtoms(const FrameAtoms& atoms, std::size_t centre)
-      : atoms_(atoms), x_(atoms.x[centre]), y_(atoms.y[centre]), z_(atoms.z[centre]) {}
+  explicit NearestAtoms(const Eigen::Vector3d& place) : x_(place.x()), y_(place.y()), z_(place.z()) {}
 
-  /// Looks at every `stride`-th atom and keeps `most`.
-  void look(std::size_t stride, std::size_t most) {
-    for (std::size_t i = 0; i < atoms_.size(); i += stride) {
-      const double dx = atoms_.x[i] - x_;
+  /// Looks at those whose index is a multiple of the stride, and keeps `most`.
+  void look(const FrameAtoms& atoms, std::size_t first, std::size_t stride, std::size_t most) {
+    for (std::size_t i = (stride - first % stride) % stride; i < atoms.size(); i += stride) {
+      const double dx = atoms.x[i] - x_;
       if (dx * dx > limit_) continue;
-      const double dy = atoms_.y[i] - y_, dz = atoms_.z[i] - z_;
+      const double dy = atoms.y[i] - y_, dz = atoms.z[i] - z_;
       const double d2 = dx * dx + dy * dy + dz * dz;
-      if (d2 <= limit_) keep(d2, i, most);
+      if (d2 <= limit_) keep({d2, first + i, position(atoms, i)}, most);
     }
   }
   /// Forgets the atoms, but not how far the farthest was.
@@ -46,35 +44,60 @@ class NearestAtoms {
   Points sorted() {
     std::sort(heap_.begin(), heap_.end());
     Points points;
-    for (const auto& [d2, i] : heap_) points.push_back(position(atoms_, i));
+    for (const Near& near : heap_) points.push_back(near.at);
     return points;
   }
 
  private:
-  void keep(double d2, std::size_t i, std::size_t most) {
-    heap_.emplace_back(d2, i);
+  struct Near {
+    double d2;
+    std::size_t index;
+    Eigen::Vector3d at;
+    bool operator<(const Near& other) const { return d2 < other.d2 || (d2 == other.d2 && index < other.index); }
+  };
+
+  void keep(const Near& near, std::size_t most) {
+    heap_.push_back(near);
     std::push_heap(heap_.begin(), heap_.end());
     if (heap_.size() < most) return;
     if (heap_.size() > most) {
       std::pop_heap(heap_.begin(), heap_.end());
       heap_.pop_back();
     }
-    limit_ = heap_.front().first;
+    limit_ = heap_.front().d2;
   }
 
-  const FrameAtoms& atoms_;
   double x_, y_, z_;
   double limit_ = std::numeric_limits<double>::infinity();
-  std::vector<std::pair<double, std::size_t>> heap_;
+  std::vector<Near> heap_;
 };
 
-/// The atoms nearest to one, itself included. As many of every 16th one tell first how far to look.
-Points atoms_about(const FrameAtoms& atoms, std::size_t centre) {
-  NearestAtoms nearest(atoms, centre);
-  if (atoms.size() > 64 * about) nearest.look(16, about / 4);
-  nearest.clear();
-  nearest.look(1, about);
-  return nearest.sorted();
+/// Positions of the atoms that are looked about.
+Points centres(const FrameStore& frame) {
+  Points points;
+  frame.for_blocks([&](const FrameAtoms& atoms, std::size_t first) {
+    while (points.size() < places) {
+      const std::size_t index = (2 * points.size() + 1) * frame.size() / (2 * places);
+      if (index >= first + atoms.size()) return;
+      points.push_back(position(atoms, index - first));
+    }
+  });
+  return points;
+}
+
+/// The atoms nearest to each, itself included. As many of every 16th one tell first how far to look.
+std::vector<NearestAtoms> atoms_about(const FrameStore& frame, std::size_t threads) {
+  std::vector<NearestAtoms> nearest;
+  for (const Eigen::Vector3d& centre : centres(frame)) nearest.emplace_back(centre);
+  const auto look = [&](std::size_t stride, std::size_t most) {
+    frame.for_blocks([&](const FrameAtoms& atoms, std::size_t first) {
+      for_ranges(places, 1, threads, [&](std::size_t k, std::size_t) { nearest[k].look(atoms, first, stride, most); });
+    });
+  };
+  if (frame.size() > 64 * about) look(16, about / 4);
+  for (NearestAtoms& atoms : nearest) atoms.clear();
+  look(1, about);
+  return nearest;
 }
 
 /// Median distance to the nearest point at another place; 0 if there is none.
@@ -92,8 +115,7 @@ double median_nearest(const Points& points) {
   return *middle;
 }
 
-double spacing_about(const FrameAtoms& atoms, std::size_t centre) {
-  const Points points = atoms_about(atoms, centre);
+double spacing_of(const Points& points) {
   const double least = median_nearest(points);
   std::vector<double> pairs;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -118,13 +140,10 @@ double spacing_about(const FrameAtoms& atoms, std::size_t centre) {
 
 }  // namespace
 
-double nearest_neighbour_spacing(const FrameAtoms& atoms, std::size_t threads) {
-  std::array<double, places> found{};
-  for_ranges(places, 1, threads, [&](std::size_t k, std::size_t) {
-    found[k] = spacing_about(atoms, (2 * k + 1) * atoms.size() / (2 * places));
-  });
+double nearest_neighbour_spacing(const FrameStore& frame, std::size_t threads) {
   std::vector<double> known;
-  std::copy_if(found.begin(), found.end(), std::back_inserter(known), [](double d) { return d > 0; });
+  for (NearestAtoms& nearest : atoms_about(frame, threads))
+    if (const double d = spacing_of(nearest.sorted()); d > 0) known.push_back(d);
   if (known.empty())
     throw InputError("fewer than two atoms at different places, or most on top of each other: no "
                      "distance of neighbours can be found");

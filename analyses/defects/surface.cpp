@@ -6,12 +6,13 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include "readers/disjoint_sets.hpp"
 
 namespace mdana::defects {
 namespace {
+
+using BoundingBox = Eigen::AlignedBox3d;
 
 /// An edge between two triangles.
 struct Edge {
@@ -42,115 +43,131 @@ double area_of(const Zone& zone, const Corners& t) {
   return (zone.at[t[1]] - zone.at[t[0]]).cross(zone.at[t[2]] - zone.at[t[0]]).norm() / 2;
 }
 
-/// Area and volume of each part, greatest area first; the triangles in that order, too.
-SurfaceMesh mesh_of(const Zone& zone, const std::vector<Corners>& triangles, double spacing) {
-  const std::vector<std::uint32_t> root = parts_of(triangles);
-  std::vector<SurfacePart> by_root(triangles.size());
+/// Area and volume of the part that each triangle is of, by its lowest triangle.
+std::vector<SurfacePart> by_root(const Zone& zone, const std::vector<Corners>& triangles,
+                                 const std::vector<std::uint32_t>& root) {
+  std::vector<SurfacePart> parts(triangles.size());
+  const double unit = zone.spacing, area = unit * unit, volume = unit * unit * unit;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Corners& t = triangles[i];
     const Eigen::Vector3d& origin = zone.at[triangles[root[i]][0]];  // of the part: no cancellation
-    SurfacePart& part = by_root[root[i]];
-    part.area += area_of(zone, t);
-    part.volume += (zone.at[t[0]] - origin).dot((zone.at[t[1]] - origin).cross(zone.at[t[2]] - origin)) / 6;
+    SurfacePart& part = parts[root[i]];
+    part.area += area * area_of(zone, t);
+    part.volume += volume / 6 *
+                   (zone.at[t[0]] - origin).dot((zone.at[t[1]] - origin).cross(zone.at[t[2]] - origin));
     ++part.triangles;
   }
+  return parts;
+}
+
+/// The corners of the triangles as points of the mesh.
+void add_triangles(SurfaceMesh& mesh, const Zone& zone, const std::vector<Corners>& triangles) {
+  std::vector<std::uint32_t> point_of(zone.size(), ~0u);
+  for (const Corners& t : triangles) {
+    Corners& made = mesh.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t& point = point_of[t[k]];
+      if (point == ~0u) {
+        point = static_cast<std::uint32_t>(mesh.points.size());
+        mesh.points.push_back(zone.position(t[k]));
+      }
+      made[k] = point;
+    }
+  }
+}
+
+/// The parts, greatest area first, and the triangles.
+SurfaceMesh mesh_of(const Zone& zone, const std::vector<Corners>& triangles) {
+  const std::vector<std::uint32_t> root = parts_of(triangles);
+  const std::vector<SurfacePart> parts = by_root(zone, triangles, root);
   std::vector<std::uint32_t> order;
-  for (std::uint32_t r = 0; r < by_root.size(); ++r)
-    if (by_root[r].triangles > 0) order.push_back(r);
-  std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t r) { return by_root[r].area; });
-  std::vector<std::uint32_t> rank(by_root.size());
+  for (std::uint32_t r = 0; r < parts.size(); ++r)
+    if (parts[r].triangles > 0) order.push_back(r);
+  std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t r) { return parts[r].area; });
+  std::vector<std::uint32_t> rank(parts.size());
   SurfaceMesh mesh;
   for (const std::uint32_t r : order) {
     rank[r] = static_cast<std::uint32_t>(mesh.parts.size());
-    SurfacePart part = by_root[r];
-    part.area *= spacing * spacing;
-    part.volume *= spacing * spacing * spacing;
-    mesh.parts.push_back(part);
+    mesh.parts.push_back(parts[r]);
   }
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Corners& t = triangles[i];
-    mesh.triangles.push_back({zone.atom[t[0]], zone.atom[t[1]], zone.atom[t[2]]});
-    mesh.part.push_back(rank[root[i]]);
-  }
+  for (const std::uint32_t r : root) mesh.part.push_back(rank[r]);
+  add_triangles(mesh, zone, triangles);
   return mesh;
 }
 
-using BoundingBox = Eigen::AlignedBox3d;
-
-Eigen::Vector3d position(const Sites& sites, const FrameAtoms& atoms, std::size_t place) {
-  const std::uint32_t i = sites.grid.atom[place];
-  return {atoms.x[i], atoms.y[i], atoms.z[i]};
+/// Area and volume with the narrower and the wider limit: half of what they differ by.
+void add_errors(SurfaceMesh& mesh, const Zone& zone, const ZoneCells& narrow, const ZoneCells& wide) {
+  const SurfaceMesh less = mesh_of(zone, narrow.open), more = mesh_of(zone, wide.open);
+  const auto half_range = [](double a, double b, double c) { return (std::max({a, b, c}) - std::min({a, b, c})) / 2; };
+  mesh.area_error = half_range(less.area(), mesh.area(), more.area());
+  mesh.volume_error = half_range(less.volume(), mesh.volume(), more.volume());
 }
 
-/// Where atoms of both bodies are, and what is within a distance of it; empty if that is nowhere.
-BoundingBox overlap(const Sites& sites, const FrameAtoms& atoms, double distance) {
-  std::array<BoundingBox, 3> box;
-  for (std::size_t p = 0; p < sites.body.size(); ++p)
-    if (sites.body[p] <= 2) box[sites.body[p]].extend(position(sites, atoms, p));
-  if (box[1].isEmpty() || box[2].isEmpty()) return {};
-  const Eigen::Vector3d rim = Eigen::Vector3d::Constant(distance);
-  for (BoundingBox& b : box) b = {b.min() - rim, b.max() + rim};
-  return box[1].intersection(box[2]);
-}
+/// What a place may be as a seed.
+enum Seed : char { no_seed, inner_seed, near_seed };
 
-/// Where a body may end: atoms without structure, and those in touch with another body.
-std::vector<char> borders(const Sites& sites, const FrameAtoms& atoms) {
+/// Where a body may end: atoms without structure, and those in touch with another body. Near seeds are those
+/// within a box.
+std::vector<char> borders(const Sites& sites, const BoundingBox& may_touch, const BoundingBox& near) {
   std::vector<char> seeds(sites.site.size());
   std::vector<std::uint32_t> doubtful;
-  const BoundingBox both = overlap(sites, atoms, touching * sites.grid.spacing);
   for (std::uint32_t p = 0; p < seeds.size(); ++p) {
-    seeds[p] = sites.site[p] != Site::crystal;
-    if (!seeds[p] && both.contains(position(sites, atoms, p))) doubtful.push_back(p);
+    if (sites.site[p] != Site::crystal)
+      seeds[p] = near.contains(sites.position(p)) ? near_seed : inner_seed;
+    else if (may_touch.contains(sites.position(p)))
+      doubtful.push_back(p);
   }
-  std::vector<char> touches(doubtful.size());
   for_neighbours(sites, doubtful, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
-    touches[k] = std::ranges::any_of(found, [&](const Neighbour& n) {
+    const bool touches = std::ranges::any_of(found, [&](const Neighbour& n) {
       return n.d2 < touching * touching && sites.body[n.place] != sites.body[doubtful[k]];
     });
+    if (touches) seeds[doubtful[k]] = near_seed;
   });
-  for (std::size_t k = 0; k < doubtful.size(); ++k) seeds[doubtful[k]] = touches[k];
   return seeds;
 }
 
-/// Triangles of atoms that are all `near`, by the body that all corners are of; 0: of both.
-std::array<double, 3> areas_near(const SurfaceMesh& mesh, const FrameAtoms& atoms, const std::vector<char>& near) {
+/// Triangles of near seeds [spacings^2], by the body that all corners are of; 0: of both.
+std::array<double, 3> areas_near(const Zone& zone, const std::vector<Corners>& triangles) {
   std::array<double, 3> areas{};
-  const auto at = [&](std::uint32_t i) { return Eigen::Vector3d(atoms.x[i], atoms.y[i], atoms.z[i]); };
-  for (const auto& t : mesh.triangles) {
-    if (!near[t[0]] || !near[t[1]] || !near[t[2]]) continue;
-    const bool same = atoms.body[t[0]] == atoms.body[t[1]] && atoms.body[t[0]] == atoms.body[t[2]];
-    areas[same ? atoms.body[t[0]] : 0] += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
+  for (const Corners& t : triangles) {
+    if (std::ranges::any_of(t, [&](std::uint32_t i) { return zone.seed[i] != near_seed; })) continue;
+    const bool same = zone.body[t[0]] == zone.body[t[1]] && zone.body[t[0]] == zone.body[t[2]];
+    areas[same ? zone.body[t[0]] : 0] += area_of(zone, t);
   }
   return areas;
 }
 
-/// What of the bodies' surfaces is not at the surface of both together.
-Value patch(const Sites& sites, const FrameAtoms& atoms, const std::vector<char>& seeds,
-            const std::array<SurfaceMesh, 2>& bodies) {
-  constexpr double rim = 3;  ///< [spacings]: beyond it nothing of one body changes the surface of the other
-  const BoundingBox both = overlap(sites, atoms, rim * sites.grid.spacing);
-  std::vector<char> near_seeds(seeds.size()), near(seeds.size());
-  for (std::size_t p = 0; p < seeds.size(); ++p)
-    near_seeds[p] = near[sites.grid.atom[p]] = seeds[p] && both.contains(position(sites, atoms, p));
-  const Zone zone = zone_about(sites, atoms, near_seeds, 0);
-  const SurfaceMesh together = mesh_of(zone, triangulate(zone, false, sites.threads).open, sites.grid.spacing);
-  const auto left = areas_near(together, atoms, near);
-  const double first = areas_near(bodies[0], atoms, near)[1] - left[1];
-  const double second = areas_near(bodies[1], atoms, near)[2] - left[2];
-  return {(first + second) / 2, std::max(std::abs(first - second), left[0]) / 2, dimension::area};
-}
-
 }  // namespace
 
-BodySurfaces find_surfaces(const Sites& sites, const FrameAtoms& atoms) {
-  const std::vector<char> seeds = borders(sites, atoms);
+SurfaceFinder::SurfaceFinder(const FrameShape& shape, double spacing)
+    : spacing_(spacing), touching_(shape.overlap(touching * spacing)) {
+  constexpr double rim = 3;  ///< [spacings]: beyond it nothing of one body changes the surface of the other
+  if (!touching_.isEmpty()) near_ = shape.overlap(rim * spacing);
+}
+
+void SurfaceFinder::add(const Sites& sites) {
+  std::vector<char> seeds = borders(sites, touching_, near_);
+  for (const BodyIndex body : {BodyIndex{1}, BodyIndex{2}}) bodies_[body - 1u].add(sites, seeds, body);
+  for (char& seed : seeds)
+    if (seed != near_seed) seed = no_seed;
+  both_.add(sites, seeds, 0);
+}
+
+BodySurfaces SurfaceFinder::surfaces(std::size_t threads) && {
   BodySurfaces found;
-  for (const BodyIndex body : {BodyIndex{1}, BodyIndex{2}}) {
-    const Zone zone = zone_about(sites, atoms, seeds, body);
-    found.body[body - 1u] = mesh_of(zone, triangulate(zone, false, sites.threads).open, sites.grid.spacing);
+  std::array<double, 2> alone{};
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Zone zone = std::move(bodies_[b]).zone(spacing_);
+    const auto cells = triangulate(zone, false, threads, filled_limits);
+    found.body[b] = mesh_of(zone, cells[0].open);
+    add_errors(found.body[b], zone, cells[1], cells[2]);
+    alone[b] = areas_near(zone, cells[0].open)[b + 1];
   }
-  if (!overlap(sites, atoms, touching * sites.grid.spacing).isEmpty())
-    found.patch = patch(sites, atoms, seeds, found.body);
+  if (touching_.isEmpty()) return found;
+  const Zone zone = std::move(both_).zone(spacing_);
+  const auto left = areas_near(zone, triangulate(zone, false, threads).open);
+  const double unit = spacing_ * spacing_, first = alone[0] - left[1], second = alone[1] - left[2];
+  found.patch = {unit * (first + second) / 2, unit * std::max(std::abs(first - second), left[0]) / 2, dimension::area};
   return found;
 }
 
@@ -182,6 +199,13 @@ double SurfaceMesh::void_volume() const {
 
 double SurfaceMesh::radius(double spacing) const {
   return volume() > 0 ? std::cbrt(0.75 / std::numbers::pi * volume()) + spacing / std::sqrt(6.0) : 0;
+}
+
+double SurfaceMesh::radius_error(double spacing) const {
+  constexpr double layer = 0.1;  // [spacings]; half a layer is 0.41 on {111}, 0.35 on {100}, 0.25 on {110}
+  if (!(volume() > 0)) return 0;
+  const double of_volume = std::cbrt(0.75 / std::numbers::pi * volume()) * volume_error / (3 * volume());
+  return std::hypot(layer * spacing, of_volume);
 }
 
 }  // namespace mdana

@@ -6,7 +6,7 @@
 namespace mdana::defects {
 namespace {
 
-constexpr double halo = 2 * filled_below;  ///< [spacings]
+constexpr double halo = 2 * widest_limit;  ///< [spacings]
 constexpr int cells_away = 2;              ///< of the grid
 static_assert(halo < cells_away * reach);
 
@@ -53,8 +53,7 @@ class Halo {
 
 }  // namespace
 
-Zone zone_about(const Sites& sites, const FrameAtoms& atoms, const std::vector<char>& seeds,
-                BodyIndex body) {
+std::vector<std::uint32_t> ZoneParts::add(const Sites& sites, const std::vector<char>& seeds, BodyIndex body) {
   Halo halo_of(sites, body);
   std::vector<std::uint32_t> here;
   for (std::size_t cell = 0; cell < sites.grid.cells(); ++cell) {
@@ -63,21 +62,35 @@ Zone zone_about(const Sites& sites, const FrameAtoms& atoms, const std::vector<c
       if (seeds[p] && (body == 0 || sites.body[p] == body)) here.push_back(p);
     if (!here.empty()) halo_of.mark_about(cell, here);
   }
-  std::vector<std::pair<std::uint32_t, char>> chosen;  // atom, seed
-  for (std::size_t p = 0; p < seeds.size(); ++p)
-    if (halo_of.marked()[p]) chosen.emplace_back(sites.grid.atom[p], seeds[p]);
-  std::sort(chosen.begin(), chosen.end());
-  Zone zone;
-  if (chosen.empty()) return zone;
-  const auto position = [&](std::uint32_t i) { return Eigen::Vector3d(atoms.x[i], atoms.y[i], atoms.z[i]); };
-  const Eigen::Vector3d origin = position(chosen.front().first);
-  for (const auto& [atom, seed] : chosen) {
-    zone.atom.push_back(atom);
-    zone.at.push_back((position(atom) - origin) / sites.grid.spacing);
-    zone.number.push_back(atoms.id.empty() ? atom : atoms.id[atom]);
-    zone.seed.push_back(seed);
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t p = 0; p < seeds.size(); ++p) {
+    if (!halo_of.marked()[p] || !sites.is_own(p)) continue;
+    atoms_.push_back({sites.position(p), sites.number(p), sites.index(p), sites.body[p], seeds[p]});
+    places.push_back(p);
   }
+  return places;
+}
+
+Zone ZoneParts::zone(double spacing) && {
+  std::ranges::sort(atoms_, {}, &Atom::index);
+  Zone zone;
+  zone.spacing = spacing;
+  zone.origin = atoms_.empty() ? Eigen::Vector3d::Zero() : atoms_.front().at;
+  for (const Atom& atom : atoms_) {
+    zone.atom.push_back(atom.index);
+    zone.at.push_back((atom.at - zone.origin) / spacing);
+    zone.number.push_back(atom.number);
+    zone.body.push_back(atom.body);
+    zone.seed.push_back(atom.seed);
+  }
+  atoms_ = {};
   return zone;
+}
+
+Zone zone_about(const Sites& sites, const std::vector<char>& seeds, BodyIndex body) {
+  ZoneParts parts;
+  parts.add(sites, seeds, body);
+  return std::move(parts).zone(sites.grid.spacing);
 }
 
 }  // namespace mdana::defects

@@ -6,10 +6,12 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "analyses/defects/atom_hash.hpp"
 #include "analyses/defects/zone.hpp"
 #include "analyses/ranges.hpp"
 
@@ -18,18 +20,17 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
-using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+/// With the squared circumradius of a cell that has a seed and its circumcentre in the slab.
+using Cell = CGAL::Triangulation_cell_base_with_info_3<double, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
 constexpr std::size_t atoms_a_slab = 30000;
 constexpr double shift = 1e-9;  ///< [spacings]
 
-/// A number from -1 to 1 that depends on an atom and an axis alone (Vigna's splitmix64).
+/// A number from -1 to 1 that depends on an atom and an axis alone.
 double scatter(std::int64_t number, std::uint64_t axis) {
-  std::uint64_t z = (static_cast<std::uint64_t>(number) * 3 + axis) * 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
+  return static_cast<double>(static_cast<std::int64_t>(hash_of(static_cast<std::uint64_t>(number) * 3 + axis))) *
+         0x1p-63;
 }
 
 std::vector<Eigen::Vector3d> shifted(const Zone& zone) {
@@ -48,13 +49,13 @@ Eigen::Vector3d circumcentre(const std::vector<Eigen::Vector3d>& points, const T
 }
 
 /// Atoms between two coordinates, and those beyond that may touch a circumsphere about them.
-struct Slab {
+struct ZoneSlab {
   double low, high;
   std::vector<std::uint32_t> atoms;
 };
 
 /// Cuts across the longest side; where, follows from the atoms alone.
-std::vector<Slab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen::Index& axis) {
+std::vector<ZoneSlab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen::Index& axis) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) box.extend(p);
   box.sizes().maxCoeff(&axis);
@@ -63,12 +64,12 @@ std::vector<Slab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen::In
   const auto along = [&](std::uint32_t i) { return points[i][axis]; };
   std::ranges::sort(order, {}, along);
   const std::size_t count = points.size() / atoms_a_slab + 1;
-  std::vector<Slab> slabs;
+  std::vector<ZoneSlab> slabs;
   for (std::size_t k = 0; k < count; ++k) {
-    Slab slab{k == 0 ? -HUGE_VAL : along(order[k * points.size() / count]),
+    ZoneSlab slab{k == 0 ? -HUGE_VAL : along(order[k * points.size() / count]),
               k + 1 == count ? HUGE_VAL : along(order[(k + 1) * points.size() / count]), {}};
-    const auto first = std::ranges::lower_bound(order, slab.low - filled_below, {}, along);
-    const auto end = std::ranges::upper_bound(order, slab.high + filled_below, {}, along);
+    const auto first = std::ranges::lower_bound(order, slab.low - widest_limit, {}, along);
+    const auto end = std::ranges::upper_bound(order, slab.high + widest_limit, {}, along);
     slab.atoms.assign(first, end);
     slabs.push_back(std::move(slab));
   }
@@ -78,20 +79,23 @@ std::vector<Slab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen::In
 /// The triangulation of a slab, and which of its cells are its own.
 class SlabCells {
  public:
-  SlabCells(const Zone& zone, const std::vector<Eigen::Vector3d>& points, const Slab& slab, Eigen::Index axis)
+  SlabCells(const Zone& zone, const std::vector<Eigen::Vector3d>& points, const ZoneSlab& slab, Eigen::Index axis)
       : zone_(zone), points_(points), slab_(slab), axis_(axis) {
     std::vector<std::pair<Kernel::Point_3, std::uint32_t>> numbered;
     for (const std::uint32_t i : slab.atoms)
       numbered.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()), i);
     delaunay_.insert(numbered.begin(), numbered.end());
+    for (const auto cell : delaunay_.all_cell_handles()) cell->info() = squared_radius(cell);
   }
 
-  void collect(ZoneCells& found, bool cells) const {
+  /// What is filled by a limit.
+  void collect(double limit, ZoneCells& found, bool cells) const {
+    const auto filled = [limit](const Handle& cell) { return cell->info() < limit * limit; };
     for (const auto cell : delaunay_.finite_cell_handles()) {
-      if (!owned(cell)) continue;
+      if (!filled(cell)) continue;
       if (cells) found.cells.push_back(turned(cell));
       for (int side = 0; side < 4; ++side)
-        if (!owned(cell->neighbor(side))) add(found.open, cell, side);
+        if (!filled(cell->neighbor(side))) add(found.open, cell, side);
     }
   }
 
@@ -108,25 +112,22 @@ class SlabCells {
 
   /// Ascending but for the last two, which come in the order that turns the cell as CGAL does.
   Tetrahedron turned(const Handle& cell) const {
-    const Tetrahedron ascending = corners(cell);
-    Tetrahedron t;
-    for (int k = 0; k < 4; ++k) t[static_cast<std::size_t>(k)] = cell->vertex(k)->info();
     bool even = true;
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t m = 0; m < k; ++m) even ^= t[m] > t[k];
-    t = ascending;
+    for (int k = 0; k < 4; ++k)
+      for (int m = 0; m < k; ++m) even ^= cell->vertex(m)->info() > cell->vertex(k)->info();
+    Tetrahedron t = corners(cell);
     if (!even) std::swap(t[2], t[3]);
     return t;
   }
 
-  /// Filled, with a seed, and its circumcentre within the slab.
-  bool owned(const Handle& cell) const {
-    if (delaunay_.is_infinite(cell)) return false;
+  /// Of a cell with a seed and its circumcentre within the slab; else infinite.
+  double squared_radius(const Handle& cell) const {
+    if (delaunay_.is_infinite(cell)) return HUGE_VAL;
     const Tetrahedron t = corners(cell);
-    if (std::ranges::none_of(t, [&](std::uint32_t i) { return zone_.seed[i]; })) return false;
+    if (std::ranges::none_of(t, [&](std::uint32_t i) { return zone_.seed[i]; })) return HUGE_VAL;
     const Eigen::Vector3d centre = circumcentre(points_, t);
     const double along = points_[t[0]][axis_] + centre[axis_];
-    return centre.squaredNorm() < filled_below * filled_below && along >= slab_.low && along < slab_.high;
+    return along >= slab_.low && along < slab_.high ? centre.squaredNorm() : HUGE_VAL;
   }
 
   void add(std::vector<Corners>& open, const Handle& cell, int side) const {
@@ -138,7 +139,7 @@ class SlabCells {
 
   const Zone& zone_;
   const std::vector<Eigen::Vector3d>& points_;
-  const Slab& slab_;
+  const ZoneSlab& slab_;
   Eigen::Index axis_;
   Delaunay delaunay_;
 };
@@ -161,24 +162,33 @@ void close_shared(std::vector<Corners>& open) {
 
 }  // namespace
 
-ZoneCells triangulate(const Zone& zone, bool cells, std::size_t threads) {
-  if (zone.size() < 4) return {};
+std::vector<ZoneCells> triangulate(const Zone& zone, bool cells, std::size_t threads, std::span<const double> limits) {
+  std::vector<ZoneCells> all(limits.size());
+  if (zone.size() < 4) return all;
   const std::vector<Eigen::Vector3d> points = shifted(zone);
   Eigen::Index axis = 0;
-  const std::vector<Slab> slabs = slabs_of(points, axis);
-  std::vector<ZoneCells> parts(slabs.size());
+  const std::vector<ZoneSlab> slabs = slabs_of(points, axis);
+  std::vector<std::vector<ZoneCells>> parts(slabs.size(), all);
   for_ranges(slabs.size(), 1, threads, [&](std::size_t first, std::size_t end) {
-    for (std::size_t k = first; k < end; ++k) SlabCells(zone, points, slabs[k], axis).collect(parts[k], cells);
+    for (std::size_t k = first; k < end; ++k) {
+      const SlabCells found(zone, points, slabs[k], axis);
+      for (std::size_t i = 0; i < limits.size(); ++i) found.collect(limits[i], parts[k][i], cells);
+    }
   });
-  ZoneCells all;
-  for (ZoneCells& part : parts) {
-    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
-    all.open.insert(all.open.end(), part.open.begin(), part.open.end());
-    part = {};
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    for (auto& part : parts) {
+      all[i].cells.insert(all[i].cells.end(), part[i].cells.begin(), part[i].cells.end());
+      all[i].open.insert(all[i].open.end(), part[i].open.begin(), part[i].open.end());
+      part[i] = {};
+    }
+    std::ranges::sort(all[i].cells);
+    close_shared(all[i].open);
   }
-  std::ranges::sort(all.cells);
-  close_shared(all.open);
   return all;
+}
+
+ZoneCells triangulate(const Zone& zone, bool cells, std::size_t threads) {
+  return std::move(triangulate(zone, cells, threads, std::span(filled_limits).first(1)).front());
 }
 
 }  // namespace mdana::defects

@@ -105,7 +105,7 @@ void add_options(Options& options) {
                         "tell so many faults of a kind at most; all are counted")  //
       ("threads", po::value<long>()->default_value(0, "all")->value_name("N"),
        "threads for the blocks of large frames; the faults are the same with any number")  //
-      ("memory", po::value<long>()->default_value(128)->value_name("MB"),
+      ("memory", po::value<std::string>()->default_value("128M")->value_name("SIZE"),
        "memory for ids (24 bytes an atom while a first frame is read, then 8); beyond it they are "
        "not compared, which is a note")  //
       ("json", po::bool_switch(), "print one JSON document on the standard output")  //

@@ -53,7 +53,7 @@ const Format* dump_format(const Values& values) {
   return format;
 }
 
-/// What --frames says: "all", "last", or as for every command.
+/// What --frames says: "all", "last", or as for every command; and --memory.
 SweepOptions frames_of(Values values, const RunOptions& options) {
   const std::string text = values.count("frames") ? values["frames"].as<std::string>() : "all";
   if (text == "all" || text == "last") values.erase("frames");
@@ -61,6 +61,10 @@ SweepOptions frames_of(Values values, const RunOptions& options) {
   if (text == "last" && sweeping.choice.stride > 1)
     throw UsageError("--frames last and --stride: give one of them");
   if (text == "last") sweeping.choice.first = count_frames(options.dump) - 1;
+  if (sweeping.frame_memory) {  // --memory is for all of it
+    sweeping.memory = *sweeping.frame_memory / 4;
+    *sweeping.frame_memory -= sweeping.memory;
+  }
   return sweeping;
 }
 
@@ -73,8 +77,8 @@ class Pictures {
     check_directory(prefix_ + ".vtp");
   }
 
-  void add(const FrameHeader& header, const FrameAtoms& atoms, const FrameDefects& found) const {
-    if (surfaces_) write("surfaces", header, surface_picture(atoms, found.surfaces));
+  void add(const FrameHeader& header, const FrameDefects& found) const {
+    if (surfaces_) write("surfaces", header, surface_picture(found.surfaces));
     write("faults", header, fault_picture(found.planes));
     if (lines_) write("lines", header, line_picture(found.lines));
   }
@@ -103,13 +107,12 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
   const bool lines = settings.lines;
   settings.ids = run.first.has_column("id");
   settings.types = products.dump && run.first.has_column("type");
-  settings.product = [&](const FrameHeader& header, const FrameAtoms& atoms,
-                         const FrameDefects& found) {
+  settings.product = [&](const FrameHeader& header, const FrameDefects& found) {
     history.planes.push_back(found.planes);
-    if (lines) history.lines.add(atoms, found);
+    if (lines) history.lines.add(found);
     if (products.ca) write_ca(fmt::format("{}.{}.ca", *products.ca, header.step), found.lines, header.box);
-    if (products.dump) products.dump->add(header, atoms, found.labels);
-    if (products.pictures) products.pictures->add(header, atoms, found);
+    if (products.dump) products.dump->add(header, *found.atoms);
+    if (products.pictures) products.pictures->add(header, found);
   };
   const bool two = run.bodies.count() == 2;
   std::vector<std::unique_ptr<Analysis>> analyses;
@@ -200,8 +203,13 @@ const Command defects_command{
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice; its surface, voids and contact patch; dislocation lines with exact Burgers vectors,\n"
-    "followed from frame to frame. --frames takes all (default), last, or A:B[:K].",
+    "of each body's lattice; its surface, voids and contact patch; dislocation lines with exact Burgers vectors,
+"
+    "followed from frame to frame. --frames takes all (default), last, or A:B[:K].
+"
+    "A frame that needs more than --memory (if it is not given, half of what is free) is done in slabs, by way
+"
+    "of temporary files in $TMPDIR: the same results, and less memory.",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last --ca last\n"

@@ -46,6 +46,18 @@ std::string text_of(const Values& values, const char* option) {
   return values.count(option) ? values[option].as<std::string>() : std::string();
 }
 
+/// Bytes of "512M", "2G" or, in MB, "512".
+std::size_t bytes_of(const std::string& text) {
+  std::size_t count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, count);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  const int bits = unit == "K" ? 10 : unit.empty() || unit == "M" ? 20 : unit == "G" ? 30 : 0;
+  if (error != std::errc() || bits == 0 || count == 0 || count > (std::size_t{1} << 50 >> bits))
+    throw UsageError(fmt::format("--memory {}: a size such as 512M or 2G expected, at least 1", text));
+  return count << bits;
+}
+
 Units units_option(const std::string& text) {
   const auto units = parse_units(text);
   if (!units) throw UsageError(fmt::format("--units {}: one of {} expected", text, units_names()));
@@ -162,16 +174,15 @@ std::size_t threads_option(const Values& values) {
 void add_resource_options(Options& options) {
   add_threads_option(options);
   options.add_options()  //
-      ("memory", po::value<long>()->default_value(128)->value_name("MB"),
+      ("memory", po::value<std::string>()->default_value("128M")->value_name("SIZE"),
        "memory for the atoms of a frame that are looked at twice; beyond it they are read twice "
-       "(besides, about 5 MB a thread)");
+       "(besides, about 5 MB a thread). 512M, 2G ...; MB without a letter");
 }
 
 void set_resources(const Values& values, SweepOptions& sweeping) {
-  const long memory = values["memory"].as<long>();
   sweeping.threads = threads_option(values);
-  if (memory < 1) throw UsageError("--memory must be at least 1");
-  sweeping.memory = static_cast<std::size_t>(memory) << 20;
+  sweeping.memory = bytes_of(values["memory"].as<std::string>());
+  if (!values["memory"].defaulted()) sweeping.frame_memory = sweeping.memory;
 }
 
 std::string output_help(bool table) {

@@ -84,23 +84,48 @@ inline std::shared_ptr<FrameAtoms> atoms_of(const Points& points, BodyIndex body
 struct Looked {
   Table table;
   FrameDefects found;
+  AtomLabels labels;
 
   double operator[](std::string_view column) const { return table.column(column)[0]; }
 };
 
-inline Looked look(std::shared_ptr<const FrameAtoms> atoms, DefectSettings settings = {},
-                   std::size_t threads = 1, const FrameHeader& header = {}) {
+template <class T>
+void append(const std::vector<T>& values, std::vector<T>& to) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+inline AtomLabels labels_of(const LabelledAtoms& atoms) {
+  AtomLabels all;
+  atoms.for_blocks([&](const FrameAtoms&, const AtomLabels& some) {
+    append(some.structure, all.structure);
+    append(some.site, all.site);
+    append(some.margin, all.margin);
+    append(some.cluster, all.cluster);
+    append(some.centro_symmetry, all.centro_symmetry);
+    append(some.coordination, all.coordination);
+  });
+  return all;
+}
+
+inline Looked look(const FrameStore& frame, DefectSettings settings = {}, std::size_t threads = 1,
+                   const FrameHeader& header = {}) {
   Looked looked;
   settings.labels = true;
-  settings.product = [&](const FrameHeader&, const FrameAtoms&, const FrameDefects& found) {
+  settings.product = [&](const FrameHeader&, const FrameDefects& found) {
     looked.found = found;
+    looked.labels = labels_of(*found.atoms);
   };
   const auto analysis = make_defects(settings);
   std::vector<double> row(analysis->columns().size());
-  dynamic_cast<const FrameAnalysis&>(*analysis).look(header, std::move(atoms), threads, row)->give();
+  dynamic_cast<const FrameAnalysis&>(*analysis).look(header, frame, threads, row)->give();
   looked.table = Table(analysis->columns());
   looked.table.add_row(row);
   return looked;
+}
+
+inline Looked look(std::shared_ptr<const FrameAtoms> atoms, DefectSettings settings = {},
+                   std::size_t threads = 1, const FrameHeader& header = {}) {
+  return look(FrameStore(std::move(atoms)), std::move(settings), threads, header);
 }
 
 inline Looked look(const Points& points, DefectSettings settings = {}) {

@@ -32,7 +32,7 @@ TEST(Structures, PerfectFccIsFccButForItsSurface) {
   for (const char* none : {"hcp", "bcc", "ico", "contact", "bulk_defect", "repaired"})
     EXPECT_EQ(seen[none], 0) << none;
   for (std::size_t i = 0; i < ball.size(); ++i)
-    EXPECT_NEAR(seen.found.labels.margin[i], seen.found.labels.structure[i] == Structure::fcc, 1e-5);
+    EXPECT_NEAR(seen.labels.margin[i], seen.labels.structure[i] == Structure::fcc, 1e-5);
 }
 
 // Lengths in sigma, angstrom and metre: the same labels of every atom.
@@ -44,8 +44,8 @@ TEST(Structures, ScalesChangeNoLabel) {
     Points scaled = ball;
     test::scale(scaled, factor);
     const auto seen = look(scaled);
-    EXPECT_EQ(seen.found.labels.structure, plain.found.labels.structure) << factor;
-    EXPECT_EQ(seen.found.labels.site, plain.found.labels.site) << factor;
+    EXPECT_EQ(seen.labels.structure, plain.labels.structure) << factor;
+    EXPECT_EQ(seen.labels.site, plain.labels.site) << factor;
     EXPECT_NEAR(seen["spacing"], factor * plain["spacing"], 1e-12 * factor);
   }
 }
@@ -62,8 +62,8 @@ TEST(Structures, TurnsAndShiftsChangeNoLabel) {
                                           normal(random)).normalized());
     for (auto& p : turned) p += Eigen::Vector3d(-50, 1000, 7.7);
     const auto seen = look(turned);
-    EXPECT_EQ(seen.found.labels.structure, plain.found.labels.structure);
-    EXPECT_EQ(seen.found.labels.site, plain.found.labels.site);
+    EXPECT_EQ(seen.labels.structure, plain.labels.structure);
+    EXPECT_EQ(seen.labels.site, plain.labels.site);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(Structures, NoiseHidesLittle) {
     for (std::size_t i = 0; i < ball.size(); ++i) {
       if (ideal[i].norm() > 12.5) continue;
       ++bulk;
-      fcc += seen.found.labels.structure[i] == Structure::fcc;
+      fcc += seen.labels.structure[i] == Structure::fcc;
     }
     EXPECT_GE(fcc / bulk, least_share) << noise;
     EXPECT_LE(seen["hcp"], noise < 0.06 ? 0 : 2e-3 * bulk) << noise;
@@ -152,10 +152,10 @@ TEST(Structures, CgalNeighboursGiveTheSameLabels) {
   cgal.by_cgal = true;
   for (const Points& points : all_kinds()) {
     const auto cells = look(points), tree = look(points, cgal);
-    EXPECT_EQ(tree.found.labels.structure, cells.found.labels.structure);
-    EXPECT_EQ(tree.found.labels.site, cells.found.labels.site);
-    EXPECT_EQ(tree.found.labels.margin, cells.found.labels.margin);
-    EXPECT_EQ(tree.found.labels.cluster, cells.found.labels.cluster);
+    EXPECT_EQ(tree.labels.structure, cells.labels.structure);
+    EXPECT_EQ(tree.labels.site, cells.labels.site);
+    EXPECT_EQ(tree.labels.margin, cells.labels.margin);
+    EXPECT_EQ(tree.labels.cluster, cells.labels.cluster);
   }
 }
 
@@ -164,8 +164,8 @@ TEST(Structures, ThreadsChangeNoBit) {
   const auto plain = look(atoms);
   for (const std::size_t threads : {2, 5}) {
     const auto seen = look(atoms, {}, threads);
-    EXPECT_EQ(seen.found.labels.structure, plain.found.labels.structure);
-    EXPECT_EQ(seen.found.labels.margin, plain.found.labels.margin);
+    EXPECT_EQ(seen.labels.structure, plain.labels.structure);
+    EXPECT_EQ(seen.labels.margin, plain.labels.margin);
     for (std::size_t k = 0; k < plain.table.columns().size(); ++k)
       EXPECT_EQ(seen.table.column(k)[0], plain.table.column(k)[0]);
   }
@@ -179,7 +179,7 @@ TEST(Structures, CentroSymmetryAndCoordination) {
   test::scale(ball, 2);
   DefectSettings settings;
   settings.centro_symmetry = settings.coordination = true;
-  const auto labels = look(ball, settings).found.labels;
+  const auto labels = look(ball, settings).labels;
   for (std::size_t i = 0; i < ball.size(); ++i) {
     const double r = ball[i].norm() / 2;
     if (r > 4.4) continue;
@@ -206,7 +206,7 @@ TEST(Structures, ContactIsWhereAtomsOfBothBodiesMeet) {
   for (std::size_t i = 0; i < ball.size(); ++i) atoms->body[i] = ball[i].x() < 0.1 ? 1 : 2;
   const auto seen = look(atoms);
   for (std::size_t i = 0; i < ball.size(); ++i) {
-    if (seen.found.labels.site[i] != Site::contact) continue;
+    if (seen.labels.site[i] != Site::contact) continue;
     ++touching;
     EXPECT_LT(std::abs(ball[i].x() - 0.35), 0.8);  // on either side of the cut
   }
@@ -230,8 +230,8 @@ TEST(Structures, LatticeAndClusters) {
   EXPECT_NEAR(misorientation(*lattice_turn(seen.table, 0, 1), Eigen::Quaterniond::Identity()), 0, 1e-6);
   EXPECT_NEAR(misorientation(*lattice_turn(seen.table, 0, 2), turned), 0, 1e-6);
   EXPECT_EQ(seen["lattice_share2"], 1);
-  EXPECT_EQ(std::ranges::max(seen.found.labels.cluster), 2u);
-  EXPECT_LE(seen.found.labels.cluster[0], 1u);
+  EXPECT_EQ(std::ranges::max(seen.labels.cluster), 2u);
+  EXPECT_LE(seen.labels.cluster[0], 1u);
 }
 
 // The angle of a twin is 60 degrees; turns of the cube are none.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces of made-up particles: known areas and volumes, voids, and two bodies in contact.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "tests/analyses/crystals.hpp"
 
@@ -45,14 +46,17 @@ std::shared_ptr<FrameAtoms> two(const Points& first, const Points& second) {
 
 // Through the centres of its outer atoms: the cube itself. 1e-8 for the points that are moved by 1e-9.
 TEST(Surfaces, OfACubeAreExact) {
-  for (const double unit : {1.0, 1.5428e-9, 300.0}) {
-    Points points = fcc_cube(6);
-    test::turn(points, Eigen::Quaterniond(0.3, 0.5, -0.2, 0.7).normalized());
+  for (const auto& [n, unit] : {std::pair(6, 1.0), {6, 1.5428e-9}, {6, 300.0}, {3, 1.0}, {5, 1.0}}) {
+    Points points = fcc_cube(n);
+    if (n == 6) test::turn(points, Eigen::Quaterniond(0.3, 0.5, -0.2, 0.7).normalized());
     test::scale(points, unit);
     const auto looked = test::look(points, surfaces());
-    const double side = 6 * edge * unit;
+    const double side = n * edge * unit;
     EXPECT_NEAR(looked["surface_area1"], 6 * side * side, 1e-7 * side * side) << unit;
     EXPECT_NEAR(looked["surface_volume1"], side * side * side, 1e-7 * side * side * side) << unit;
+    EXPECT_NEAR(looked["surface_area_error1"], 0, 1e-7 * side * side) << unit;  // full faces: nothing is doubtful
+    EXPECT_NEAR(looked["surface_volume_error1"], 0, 1e-7 * side * side * side) << unit;
+    EXPECT_NEAR(looked["surface_radius_error1"], 0.1 * unit, 1e-6 * unit) << unit;
     EXPECT_EQ(looked["voids1"], 0);
     EXPECT_EQ(looked["surface_area2"], 0);
     EXPECT_EQ(looked["patch_area"], 0);
@@ -92,6 +96,25 @@ TEST(Surfaces, OfABall) {
   }
 }
 
+// Of hot balls, too. No limit changes the steps of a perfect crystal; those of a hot one it does, by less than half a
+// layer on each face.
+TEST(Surfaces, OfAHotBall) {
+  for (const double noise : {0.0, 0.03, 0.06}) {
+    Points ball = test::fcc_ball(10);
+    test::add_noise(ball, noise);
+    test::scale(ball, 3);
+    const auto looked = test::look(ball, surfaces());
+    const double by_atoms = 3 * edge * std::cbrt(3.0 / 16 / std::numbers::pi * static_cast<double>(ball.size()));
+    EXPECT_NEAR(looked["surface_radius1"], by_atoms, 2 * looked["surface_radius_error1"]) << noise;
+    EXPECT_NEAR(looked["surface_radius1"], by_atoms, 0.02 * by_atoms) << noise;
+    EXPECT_GT(looked["surface_area1"], 4 * std::numbers::pi * std::pow(by_atoms - 2.5, 2)) << noise;
+    EXPECT_EQ(looked["surface_area_error1"] > 1e-6, noise > 0) << noise;
+    EXPECT_LT(looked["surface_area_error1"], 0.1 * looked["surface_area1"]) << noise;
+    EXPECT_EQ(looked["surface_volume_error1"] > 1e-6, noise > 0) << noise;
+    EXPECT_LT(looked["surface_volume_error1"], 0.5 * 3 * looked["surface_area1"]) << noise;
+  }
+}
+
 // A vacancy leaves a hole whose wall is a cuboctahedron of edge 1: volume 5 sqrt(2)/3, area 6 + 2 sqrt 3.
 TEST(Surfaces, VacanciesAreVoids) {
   Points points = test::fcc_ball(7);
@@ -122,6 +145,22 @@ TEST(Surfaces, ThePatchOfTwoCubes) {
   EXPECT_EQ(apart["patch_area"], 0);
 }
 
+// Each body of a pair in contact has the surface that it has alone, also where the lattices match.
+TEST(Surfaces, OfBodiesInContactAreTheirOwn) {
+  const Points ball = test::fcc_ball(6);
+  const auto atoms = test::atoms_of(ball);
+  Points lower, upper;
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    atoms->body[i] = ball[i].x() < 0.1 ? 1 : 2;
+    (atoms->body[i] == 1 ? lower : upper).push_back(ball[i]);
+  }
+  const auto both = test::look(atoms, surfaces());
+  for (const std::string part : {"surface_area", "surface_volume", "voids"}) {
+    EXPECT_NEAR(both[part + "1"], test::look(lower, surfaces())[part + "1"], 1e-6);
+    EXPECT_NEAR(both[part + "2"], test::look(upper, surfaces())[part + "1"], 1e-6);
+  }
+}
+
 // More atoms than a slab holds, in one thread and in two, and turned so that slabs cut elsewhere.
 TEST(Surfaces, SlabsAndThreadsChangeNothing) {
   Points points = test::fcc_ball(26);
@@ -144,6 +183,9 @@ TEST(Surfaces, OfNextToNothing) {
     const auto looked = test::look(Points(all.begin(), all.begin() + static_cast<long>(count)), settings);
     EXPECT_NEAR(looked["surface_volume1"], 0, 1e-8) << count;
   }
+  const auto square = test::look(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, surfaces());
+  EXPECT_EQ(square["surface_area1"], 0);
+  EXPECT_EQ(square["surface_radius_error1"], 0);
 }
 
 }  // namespace

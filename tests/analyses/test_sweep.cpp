@@ -200,10 +200,15 @@ class Witness final : public FrameAnalysis {
   std::vector<ColumnSpec> columns() const override {
     return {{"atoms", dimension::none}, {"sorted", dimension::none}};
   }
-  std::unique_ptr<Product> look(const FrameHeader& header, std::shared_ptr<const FrameAtoms> atoms,
-                                std::size_t, std::span<double> row) const override {
-    row[0] = static_cast<double>(atoms->size());
-    row[1] = std::is_sorted(atoms->id.begin(), atoms->id.end());
+  std::size_t bytes_an_atom() const override { return 1; }
+  std::unique_ptr<Product> look(const FrameHeader& header, const FrameStore& frame, std::size_t,
+                                std::span<double> row) const override {
+    std::vector<std::int64_t> ids;
+    frame.for_blocks([&](const FrameAtoms& atoms, std::size_t first) {
+      if (first == ids.size()) ids.insert(ids.end(), atoms.id.begin(), atoms.id.end());
+    });
+    row[0] = static_cast<double>(ids.size());
+    row[1] = std::is_sorted(ids.begin(), ids.end());
     return std::make_unique<Note>(header.step, given_);
   }
 
@@ -219,13 +224,15 @@ class Witness final : public FrameAnalysis {
 
 class SweepOfWholeFrames : public SweepOfDump {
  protected:
-  SweepResult watch(const std::string& text, std::size_t threads, bool after_motion = false) {
+  SweepResult watch(const std::string& text, std::size_t threads, bool after_motion = false,
+                    std::optional<std::size_t> memory = {}) {
     const auto dump = folder_.write("dump", text);
     std::vector<std::unique_ptr<Analysis>> analyses;
     if (after_motion) analyses = test::whole_catalogue({test::made_up_scene(), first_header(dump)});
     analyses.push_back(std::make_unique<Witness>(given_));
     SweepOptions options;
     options.threads = threads;
+    options.frame_memory = memory;
     given_.clear();
     return sweep(dump, find_bodies(dump, first_header(dump), "type"), Masses::from_column("the dump"),
                  analyses, options);
@@ -239,8 +246,9 @@ TEST_F(SweepOfWholeFrames, SeeAllAtomsSortedAndGiveInOrder) {
     std::mt19937_64 random(2);
     for (auto& frame : frames) std::shuffle(frame.atoms.begin(), frame.atoms.end(), random);
     for (const std::size_t threads : {1, 3})
-      for (const bool after_motion : {false, true}) {
-        const SweepResult result = watch(dump_text(frames), threads, after_motion);
+      for (const auto& [after_motion, memory] :
+           {std::pair(false, std::optional<std::size_t>()), {true, {}}, {false, 1}, {true, 1000}}) {
+        const SweepResult result = watch(dump_text(frames), threads, after_motion, memory);
         EXPECT_EQ(given_, result.steps);
         EXPECT_EQ(result.steps.size(), frames.size());
         for (std::size_t k = 0; k < frames.size(); ++k) {

@@ -50,7 +50,7 @@ void kernel(benchmark::State& state, const StructureKernel& kernel) {
 void cells(benchmark::State& state) {
   const auto atoms = ball(noise_of(state));
   for (auto _ : state)
-    benchmark::DoNotOptimize(CellGrid(*atoms, nearest_neighbour_spacing(*atoms, 1)).cells());
+    benchmark::DoNotOptimize(CellGrid(*atoms, nearest_neighbour_spacing(FrameStore(atoms), 1)).cells());
   per_atom(state, atoms->size());
 }
 
@@ -58,7 +58,7 @@ void whole_analysis(benchmark::State& state) {
   const auto atoms = ball(noise_of(state));
   const auto analysis = make_defects();
   std::vector<double> row(analysis->columns().size());
-  for (auto _ : state) dynamic_cast<const FrameAnalysis&>(*analysis).look({}, atoms, 1, row);
+  for (auto _ : state) dynamic_cast<const FrameAnalysis&>(*analysis).look({}, FrameStore(atoms), 1, row);
   per_atom(state, atoms->size());
 }
 

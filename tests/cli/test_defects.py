@@ -87,7 +87,10 @@ class Defects(Case):
 
     def assert_surface(self, surface, atoms):
         for part in ("area", "volume"):
-            self.assertAlmostEqual(surface[part]["value"], sum(b[part]["value"] for b in surface["bodies"]), 6)
+            for number in ("value", "error"):
+                self.assertAlmostEqual(surface[part][number], sum(b[part][number] for b in surface["bodies"]), 6)
+            self.assertLess(surface[part]["error"], 0.1 * surface[part]["value"])
+        self.assertGreater(surface["radius"]["error"], 0.1 * 1.09)  # half a layer, and what the volume does
         self.assertAlmostEqual(surface["radius"]["value"], 5, delta=0.2)  # as the balls were cut
         self.assertLess(0.5 * atoms, surface["area"]["value"])  # an atom covers 0.87 spacings^2 of 1.1 at least
         self.assertEqual([b["voids"] for b in surface["bodies"]], [0, 0])
@@ -105,6 +108,29 @@ class Defects(Case):
         plain, tree = (self.document("defects", SAMPLE, "--frames", "20:22", "--neighbours", how)["frames"]
                        for how in ("cells", "cgal"))
         self.assertEqual(plain, tree)
+
+    def test_slabs_change_nothing(self):
+        """Frames in pieces as small as can be, from temporary files: the same document, table and dump to the byte."""
+        texts = []
+        for memory in ("1G", "1K"):
+            out, csv = self.dir / f"{memory}.lammpstrj", self.dir / f"{memory}.csv"
+            frames = self.document("defects", SAMPLE, "--frames", "::15", "--memory", memory, "--dump", out, "--csp", "-o", csv,
+                                   "--threads", "2")["frames"]
+            texts.append((frames, out.read_bytes(), csv.read_bytes()))
+        self.assertEqual(*texts)
+
+    def test_a_full_disk_is_told(self):
+        import resource
+        import signal
+
+        def little_space():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+
+        done = running.run("defects", SAMPLE, "--memory", "1K", "--frames", ":1", preexec_fn=little_space)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cannot write a temporary file", done.stderr)
+        self.assertIn("TMPDIR", done.stderr)
 
     def test_tables(self):
         table = self.table("defects", SAMPLE, "--stride", "10")
@@ -157,6 +183,11 @@ class Defects(Case):
         self.assertEqual(document["first_defect"]["step"], 2)
         self.assertEqual(document["at_separation"]["step"], 3)
         self.assertEqual(document["at_separation"]["counts"]["bulk_defect"], 12)
+        text = self.mdana("defects", path).stdout
+        self.assertRegex(text, r"first defect +step 2.*12 atoms about \(")
+        self.assertRegex(text, r"at separation +step 3.*12 bulk defects")
+        self.assertRegex(text, r"in time +step +delta +hcp +bulk +faults +twins +surface +patch\n +0 ")
+        self.assertIn("in contact in the last frame", self.mdana("defects", path, "--frames", ":3").stdout)
 
     def test_one_body(self):
         document = self.document("defects", self.write(dump_of([[fcc(6)]])), "--bodies", "type")
@@ -198,6 +229,7 @@ class Defects(Case):
 
     def test_usage(self):
         for arguments in (["--csp"], ["--label", "fcc"], ["--neighbours", "list"], ["--spacing", "0"],
+                          ["--memory", "0"], ["--memory", "5X"], ["--memory", "-1"], ["--memory", "9999999G"],
                           ["--dump", self.dir / "x.unknown"]):
             with self.subTest(arguments):
                 self.mdana("defects", SAMPLE, *arguments, code=2)

@@ -2,6 +2,7 @@
 #include "analyses/defects/lines/edges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analyses/ranges.hpp"
 
@@ -9,29 +10,6 @@ namespace mdana::defects {
 namespace {
 
 constexpr std::size_t atoms_at_once = 1024;
-
-/// The edges without vectors.
-Edges edges_of(std::size_t atoms, std::span<const Tetrahedron> cells) {
-  std::vector<std::uint32_t> start(atoms + 1);
-  const auto for_edges = [&](auto use) {
-    for (const Tetrahedron& t : cells)
-      for (std::size_t a = 0; a < 4; ++a)
-        for (std::size_t b = 0; b < a; ++b) use(std::min(t[a], t[b]), std::max(t[a], t[b]));
-  };
-  for_edges([&](std::uint32_t low, std::uint32_t) { ++start[low + 1]; });
-  for (std::size_t i = 0; i < atoms; ++i) start[i + 1] += start[i];
-  std::vector<std::uint32_t> highs(start.back()), next(start.begin(), start.end() - 1);
-  for_edges([&](std::uint32_t low, std::uint32_t high) { highs[next[low]++] = high; });
-  Edges edges;
-  edges.first.resize(atoms + 1);
-  for (std::size_t i = 0; i < atoms; ++i) {
-    const auto begin = highs.begin() + start[i], end = highs.begin() + start[i + 1];
-    std::sort(begin, end);
-    edges.high.insert(edges.high.end(), begin, std::unique(begin, end));
-    edges.first[i + 1] = static_cast<std::uint32_t>(edges.high.size());
-  }
-  return edges;
-}
 
 /// An atom's neighbour and the ideal vector to it.
 struct Known {
@@ -203,9 +181,60 @@ std::vector<Corners> remove_foreign(std::vector<Tetrahedron>& cells, const Edges
   return walls;
 }
 
-Edges find_edges(const Zone& zone, const ZoneCrystal& crystal, std::span<const Tetrahedron> cells,
-                 std::size_t threads) {
-  Edges edges = edges_of(zone.size(), cells);
+Edges edges_of(std::size_t atoms, std::span<const Tetrahedron> cells) {
+  std::vector<std::uint32_t> start(atoms + 1);
+  const auto for_edges = [&](auto use) {
+    for (const Tetrahedron& t : cells)
+      for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < a; ++b) use(std::min(t[a], t[b]), std::max(t[a], t[b]));
+  };
+  for_edges([&](std::uint32_t low, std::uint32_t) { ++start[low + 1]; });
+  for (std::size_t i = 0; i < atoms; ++i) start[i + 1] += start[i];
+  std::vector<std::uint32_t> highs(start.back()), next(start.begin(), start.end() - 1);
+  for_edges([&](std::uint32_t low, std::uint32_t high) { highs[next[low]++] = high; });
+  Edges edges;
+  edges.first.resize(atoms + 1);
+  for (std::size_t i = 0; i < atoms; ++i) {
+    const auto begin = highs.begin() + start[i], end = highs.begin() + start[i + 1];
+    std::sort(begin, end);
+    edges.high.insert(edges.high.end(), begin, std::unique(begin, end));
+    edges.first[i + 1] = static_cast<std::uint32_t>(edges.high.size());
+  }
+  return edges;
+}
+
+void spread_grains(ZoneCrystal& crystal, const Zone& zone, const Edges& edges) {
+  std::vector<std::uint32_t> nearest(zone.size());
+  std::vector<double> least(zone.size());
+  for (;;) {
+    std::ranges::fill(nearest, no_atom);
+    std::ranges::fill(least, HUGE_VAL);
+    const auto offer = [&](std::uint32_t to, std::uint32_t from) {
+      if (crystal.grain[to] != ZoneCrystal::no_grain || crystal.grain[from] == ZoneCrystal::no_grain) return;
+      if (zone.body[to] != zone.body[from]) return;
+      const double d2 = (zone.at[to] - zone.at[from]).squaredNorm();
+      if (!(d2 < least[to])) return;
+      least[to] = d2;
+      nearest[to] = from;
+    };
+    for (std::uint32_t low = 0; low < zone.size(); ++low)
+      for (std::uint32_t e = edges.first[low]; e < edges.first[low + 1]; ++e) {
+        offer(low, edges.high[e]);
+        offer(edges.high[e], low);
+      }
+    bool any = false;
+    for (std::uint32_t i = 0; i < zone.size(); ++i) {
+      if (nearest[i] == no_atom) continue;
+      crystal.grain[i] = crystal.grain[nearest[i]];
+      crystal.map[i] = crystal.map[nearest[i]];
+      crystal.turn[i] = crystal.turn[nearest[i]];
+      any = true;
+    }
+    if (!any) return;
+  }
+}
+
+void find_vectors(Edges& edges, const Zone& zone, const ZoneCrystal& crystal, std::size_t threads) {
   edges.vector.resize(edges.size());
   edges.kind.resize(edges.size());
   const Vectors vectors(crystal);
@@ -218,7 +247,6 @@ Edges find_edges(const Zone& zone, const ZoneCrystal& crystal, std::span<const T
         finder.find(edges.high[e], edges.vector[e], edges.kind[e]);
     }
   });
-  return edges;
 }
 
 }  // namespace mdana::defects

@@ -31,8 +31,13 @@ struct Edges {
   Ideal along(std::uint32_t from, std::uint32_t to) const;
 };
 
-Edges find_edges(const Zone& zone, const ZoneCrystal& crystal, std::span<const Tetrahedron> cells,
-                 std::size_t threads);
+/// Without vectors.
+Edges edges_of(std::size_t atoms, std::span<const Tetrahedron> cells);
+
+/// Atoms without a grain get it, with map and turn, from the nearest of their body along an edge, again and again.
+void spread_grains(ZoneCrystal& crystal, const Zone& zone, const Edges& edges);
+
+void find_vectors(Edges& edges, const Zone& zone, const ZoneCrystal& crystal, std::size_t threads);
 
 /// Takes out the tetrahedra with foreign edges; their facets, corners ascending, in order.
 std::vector<Corners> remove_foreign(std::vector<Tetrahedron>& cells, const Edges& edges);

@@ -8,8 +8,9 @@
 
 #include <Eigen/Core>
 
+#include "analyses/defects/lattice.hpp"
 #include "analyses/defects/lines/ideal.hpp"
-#include "analyses/defects/planes.hpp"
+#include "analyses/defects/lines/own_frames.hpp"
 #include "analyses/defects/zone.hpp"
 
 namespace mdana::defects {
@@ -42,8 +43,7 @@ struct ZoneCrystal {
   std::vector<Grain> grains;
 };
 
-/// `places` of the zone's atoms; `lattices` of bodies 1 and 2.
-ZoneCrystal find_frames(const Sites& sites, const Zone& zone, std::span<const std::uint32_t> places,
-                        std::span<const BodyLattice, 2> lattices);
+/// `own` of the zone's atoms; `lattices` of bodies 1 and 2. Atoms without structure are in no grain yet.
+ZoneCrystal find_frames(const Zone& zone, std::span<const OwnFrame> own, std::span<const BodyLattice, 2> lattices);
 
 }  // namespace mdana::defects

@@ -74,12 +74,8 @@ bool is_cube(const Eigen::Matrix3d& turn) {
 
 class Describer {
  public:
-  Describer(const LineNetwork& network, const LineNetwork& less_smooth, const Zone& zone, const ZoneCrystal& crystal,
-            const FrameAtoms& atoms, double spacing)
-      : network_(network), less_smooth_(less_smooth), zone_(zone), crystal_(crystal), atoms_(atoms), spacing_(spacing) {
-    const std::uint32_t first = zone.atom.front();
-    origin_ = {atoms.x[first], atoms.y[first], atoms.z[first]};
-  }
+  Describer(const LineNetwork& network, const LineNetwork& less_smooth, const Zone& zone, const ZoneCrystal& crystal)
+      : network_(network), less_smooth_(less_smooth), zone_(zone), crystal_(crystal), spacing_(zone.spacing) {}
 
   DislocationLines describe() {
     DislocationLines lines;
@@ -97,7 +93,7 @@ class Describer {
   DislocationSegment segment(const LineSegment& s, double other_length) const {
     DislocationSegment told;
     const std::uint32_t atom = s.atoms.front();
-    told.body = atoms_.body[zone_.atom[atom]];
+    told.body = zone_.body[atom];
     told.aligned = crystal_.grains[crystal_.grain[atom]].aligned;
     told.nodes = {s.from, s.to};
     told.ends = {end_of(network_.nodes[s.from]), end_of(network_.nodes[s.to])};
@@ -110,7 +106,7 @@ class Describer {
     }));
     const double error = std::hypot((other_length - smooth_length) / 2, end_error * std::sqrt(open));
     told.length = {smooth_length * spacing_, error * spacing_, dimension::length};
-    for (const Eigen::Vector3d& p : s.points) told.points.push_back(origin_ + spacing_ * p);
+    for (const Eigen::Vector3d& p : s.points) told.points.push_back(zone_.origin + spacing_ * p);
     return told;
   }
 
@@ -171,7 +167,7 @@ class Describer {
     const auto add = [&](const LineSegment& s, std::uint32_t node, const Ideal& arriving) {
       const LineNode& end = network_.nodes[node];
       if (end.kind != NodeKind::lattice) return;
-      const BodyIndex body = atoms_.body[zone_.atom[s.atoms.front()]];
+      const BodyIndex body = zone_.body[s.atoms.front()];
       const auto [at, fresh] = regions.try_emplace({end.region, body});
       auto& [told, sum] = at->second;
       if (fresh) {
@@ -179,7 +175,7 @@ class Describer {
         sum.setZero();
       }
       ++told.segments;
-      told.centre += origin_ + spacing_ * end.at;
+      told.centre += zone_.origin + spacing_ * end.at;
       sum += arriving;
     };
     for (const LineSegment& s : network_.segments) {
@@ -215,9 +211,7 @@ class Describer {
   const LineNetwork& less_smooth_;
   const Zone& zone_;
   const ZoneCrystal& crystal_;
-  const FrameAtoms& atoms_;
   double spacing_;
-  Eigen::Vector3d origin_;
 };
 
 }  // namespace
@@ -236,8 +230,8 @@ LineFamily family_of(const Ideal& burgers) {
 }
 
 DislocationLines described(const LineNetwork& network, const LineNetwork& less_smooth, const Zone& zone,
-                           const ZoneCrystal& crystal, const FrameAtoms& atoms, double spacing) {
-  return Describer(network, less_smooth, zone, crystal, atoms, spacing).describe();
+                           const ZoneCrystal& crystal) {
+  return Describer(network, less_smooth, zone, crystal).describe();
 }
 
 }  // namespace mdana::defects

@@ -12,6 +12,6 @@ LineFamily family_of(const Ideal& burgers);
 /// Names, frames, lengths: what is told of the lines. `less_smooth` is the same network smoothed less, for the
 /// error of the lengths.
 DislocationLines described(const LineNetwork& network, const LineNetwork& less_smooth, const Zone& zone,
-                           const ZoneCrystal& crystal, const FrameAtoms& atoms, double spacing);
+                           const ZoneCrystal& crystal);
 
 }  // namespace mdana::defects
