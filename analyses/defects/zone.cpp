@@ -2,6 +2,7 @@
 #include "analyses/defects/zone.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace mdana::defects {
 namespace {
@@ -62,6 +63,7 @@ void ZoneParts::add(const Sites& sites, const std::vector<char>& seeds, BodyInde
       if (seeds[p] && (body == 0 || sites.body[p] == body)) here.push_back(p);
     if (!here.empty()) halo_of.mark_about(cell, here);
   }
+  atoms_.reserve(atoms_.size() + static_cast<std::size_t>(std::ranges::count_if(halo_of.marked(), std::identity())));
   for (std::size_t p = 0; p < seeds.size(); ++p)
     if (halo_of.marked()[p] && sites.is_own(p))
       atoms_.push_back({sites.position(p), sites.number(p), sites.index(p), sites.body[p], seeds[p]});
