@@ -69,14 +69,14 @@ void ZoneParts::add(const Sites& sites, const std::vector<char>& seeds, BodyInde
       atoms_.push_back({sites.position(p), sites.number(p), sites.index(p), sites.body[p], seeds[p]});
 }
 
-Zone ZoneParts::zone(double spacing) && {
+Zone ZoneParts::zone(const Eigen::Vector3d& origin, double spacing) && {
   std::ranges::sort(atoms_, {}, &Atom::index);
   Zone zone;
   zone.spacing = spacing;
-  zone.origin = atoms_.empty() ? Eigen::Vector3d::Zero() : atoms_.front().at;
+  zone.origin = origin;
   for (const Atom& atom : atoms_) {
     zone.atom.push_back(atom.index);
-    zone.at.push_back((atom.at - zone.origin) / spacing);
+    zone.at.push_back((atom.at - origin) / spacing);
     zone.number.push_back(atom.number);
     zone.body.push_back(atom.body);
     zone.seed.push_back(atom.seed);
@@ -88,7 +88,7 @@ Zone ZoneParts::zone(double spacing) && {
 Zone zone_about(const Sites& sites, const std::vector<char>& seeds, BodyIndex body) {
   ZoneParts parts;
   parts.add(sites, seeds, body);
-  return std::move(parts).zone(sites.grid.spacing);
+  return std::move(parts).zone(sites.position(0), sites.grid.spacing);
 }
 
 }  // namespace mdana::defects

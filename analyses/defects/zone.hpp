@@ -41,7 +41,8 @@ class ZoneParts {
  public:
   /// What is about the seeds, by place, among the atoms of one body (0: of all).
   void add(const Sites& sites, const std::vector<char>& seeds, BodyIndex body);
-  Zone zone(double spacing) &&;
+  /// All of them. Zones of one frame have one origin [length], so that sums over their atoms are the same bits.
+  Zone zone(const Eigen::Vector3d& origin, double spacing) &&;
 
  private:
   struct Atom {
