@@ -74,23 +74,10 @@ FrameDefects FrameLook::fill(std::span<double> row) {
   for (const int body : {0, 1, 2})
     for (const bool twin : {false, true}) *next++ = area(found.planes, body, twin);
   for (const double value : defects_.mean()) *next++ = value;
-  for (const LatticeSample& sample : lattices_) {
-    const BodyLattice lattice = sample.lattice();
-    for (const double value : {lattice.turn.w(), lattice.turn.x(), lattice.turn.y(), lattice.turn.z(), lattice.share})
-      *next++ = value;
-  }
+  next = put_lattices(next);
   if (!settings_.surface) return found;
   found.surfaces = std::move(surfaces_).surfaces(threads_);
-  for (std::size_t b = 0; b < 2; ++b) {
-    const SurfaceMesh& mesh = found.surfaces.body[b];
-    const auto radii = shape_.ball_radii(static_cast<BodyIndex>(b + 1), space_.spacing);
-    for (const double value : {mesh.area(), mesh.area_error, mesh.volume(), mesh.volume_error,
-                               mesh.radius(space_.spacing), mesh.radius_error(space_.spacing),
-                               static_cast<double>(mesh.voids()), mesh.void_volume(), radii[0], radii[1]})
-      *next++ = value;
-  }
-  *next++ = found.surfaces.patch.value;
-  *next = found.surfaces.patch.error.value_or(0);
+  put_surfaces(found.surfaces, next);
   return found;
 }
 
@@ -144,6 +131,28 @@ double* FrameLook::put_counts(double* next) const {
     put(counts_.site[static_cast<std::size_t>(site)]);
   put(counts_.repaired);
   return next;
+}
+
+double* FrameLook::put_lattices(double* next) const {
+  for (const LatticeSample& sample : lattices_) {
+    const BodyLattice lattice = sample.lattice();
+    for (const double value : {lattice.turn.w(), lattice.turn.x(), lattice.turn.y(), lattice.turn.z(), lattice.share})
+      *next++ = value;
+  }
+  return next;
+}
+
+void FrameLook::put_surfaces(const BodySurfaces& surfaces, double* next) const {
+  for (std::size_t b = 0; b < 2; ++b) {
+    const SurfaceMesh& mesh = surfaces.body[b];
+    const auto radii = shape_.ball_radii(static_cast<BodyIndex>(b + 1), space_.spacing);
+    for (const double value : {mesh.area(), mesh.area_error, mesh.volume(), mesh.volume_error,
+                               mesh.radius(space_.spacing), mesh.radius_error(space_.spacing),
+                               static_cast<double>(mesh.voids()), mesh.void_volume(), radii[0], radii[1]})
+      *next++ = value;
+  }
+  *next++ = surfaces.patch.value;
+  *next = surfaces.patch.error.value_or(0);
 }
 
 }  // namespace mdana::defects

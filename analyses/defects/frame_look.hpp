@@ -46,7 +46,10 @@ class FrameLook {
   void look_at(const Slab& slab);
   void count(const Sites& sites);
   AtomLabels labels(Sites& sites);
+  // Each fills a part of the row and gives the place behind it.
   double* put_counts(double* next) const;
+  double* put_lattices(double* next) const;
+  void put_surfaces(const BodySurfaces& surfaces, double* next) const;
 
   const DefectSettings& settings_;
   const FrameHeader& header_;
