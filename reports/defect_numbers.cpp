@@ -259,7 +259,7 @@ void add_course(Document& document, const DefectHistory& h) {
   const bool surfaces = h.table.has("patch_area");
   std::string head = fmt::format("{:>10}{:>9}{:>8}{:>8}{:>10}{:>10}", "step", "delta", "hcp", "bulk", "faults", "twins");
   if (surfaces) head += fmt::format("{:>11}{:>10}", "surface", "patch");
-  document.line("in time", head);
+  document.line("in time", fmt::format("{}   areas in {}", head, symbol(document.units(), dimension::area)));
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t frame = k * (h.steps.size() - 1) / (count - 1);
     const auto delta = h.delta.empty() ? "-" : fmt::format("{:.3f}", h.delta[frame]);

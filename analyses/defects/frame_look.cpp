@@ -61,7 +61,7 @@ FrameLook::FrameLook(const DefectSettings& settings, const FrameHeader& header, 
       defects_(space_),
       lattices_{LatticeSample(1), LatticeSample(2)},
       surfaces_(shape_, space_.spacing),
-      lines_(space_.spacing, settings.lines_everywhere) {
+      lines_(shape_.box.min(), space_.spacing, settings.lines_everywhere) {
   refuse_wrapped(frame, header.box, space_.spacing);
   if (settings.labels) labels_ = collect_labels(frame);
 }
@@ -81,32 +81,14 @@ FrameDefects FrameLook::fill(std::span<double> row) {
   for (const int body : {0, 1, 2})
     for (const bool twin : {false, true}) *next++ = area(found.planes, body, twin);
   for (const double value : defects_.mean()) *next++ = value;
-  for (const LatticeSample& sample : lattices_) {
-    const BodyLattice lattice = sample.lattice();
-    for (const double value : {lattice.turn.w(), lattice.turn.x(), lattice.turn.y(), lattice.turn.z(), lattice.share})
-      *next++ = value;
-  }
+  next = put_lattices(next);
   found.spacing = space_.spacing;
-  if (settings_.surface) next = put_surfaces(next, found.surfaces = std::move(surfaces_).surfaces(threads_));
+  if (settings_.surface) next = put_surfaces(found.surfaces = std::move(surfaces_).surfaces(threads_), next);
   if (settings_.lines) {
     find_lines(slabs, found);
     fill_lines(found.lines, found.volume, space_.spacing, row.subspan(static_cast<std::size_t>(next - row.data())));
   }
   return found;
-}
-
-double* FrameLook::put_surfaces(double* next, const BodySurfaces& surfaces) const {
-  for (std::size_t b = 0; b < 2; ++b) {
-    const SurfaceMesh& mesh = surfaces.body[b];
-    const auto radii = shape_.ball_radii(static_cast<BodyIndex>(b + 1), space_.spacing);
-    for (const double value : {mesh.area(), mesh.area_error, mesh.volume(), mesh.volume_error,
-                               mesh.radius(space_.spacing), mesh.radius_error(space_.spacing),
-                               static_cast<double>(mesh.voids()), mesh.void_volume(), radii[0], radii[1]})
-      *next++ = value;
-  }
-  *next++ = surfaces.patch.value;
-  *next++ = surfaces.patch.error.value_or(0);
-  return next;
 }
 
 LabelledSlab::LabelledSlab(Slab of, const CellSpace& space, const DefectSettings& settings, std::size_t threads)
@@ -179,6 +161,29 @@ double* FrameLook::put_counts(double* next) const {
   for (const Site site : {Site::surface, Site::contact, Site::bulk_defect})
     put(counts_.site[static_cast<std::size_t>(site)]);
   put(counts_.repaired);
+  return next;
+}
+
+double* FrameLook::put_lattices(double* next) const {
+  for (const LatticeSample& sample : lattices_) {
+    const BodyLattice lattice = sample.lattice();
+    for (const double value : {lattice.turn.w(), lattice.turn.x(), lattice.turn.y(), lattice.turn.z(), lattice.share})
+      *next++ = value;
+  }
+  return next;
+}
+
+double* FrameLook::put_surfaces(const BodySurfaces& surfaces, double* next) const {
+  for (std::size_t b = 0; b < 2; ++b) {
+    const SurfaceMesh& mesh = surfaces.body[b];
+    const auto radii = shape_.ball_radii(static_cast<BodyIndex>(b + 1), space_.spacing);
+    for (const double value : {mesh.area(), mesh.area_error, mesh.volume(), mesh.volume_error,
+                               mesh.radius(space_.spacing), mesh.radius_error(space_.spacing),
+                               static_cast<double>(mesh.voids()), mesh.void_volume(), radii[0], radii[1]})
+      *next++ = value;
+  }
+  *next++ = surfaces.patch.value;
+  *next++ = surfaces.patch.error.value_or(0);
   return next;
 }
 

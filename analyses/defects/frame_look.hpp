@@ -60,8 +60,10 @@ class FrameLook {
   void find_lines(const Slabs& slabs, FrameDefects& found);
   void count(const Sites& sites);
   AtomLabels labels(const Sites& sites);
+  // Each fills a part of the row and gives the place behind it.
   double* put_counts(double* next) const;
-  double* put_surfaces(double* next, const BodySurfaces& surfaces) const;
+  double* put_lattices(double* next) const;
+  double* put_surfaces(const BodySurfaces& surfaces, double* next) const;
 
   const DefectSettings& settings_;
   const FrameHeader& header_;

@@ -10,7 +10,7 @@
 namespace mdana::defects {
 
 /// Collects atoms and labels of slab after slab: in memory if the frame is one slab, else in a temporary
-/// file of 80 bytes an atom.
+/// file of 64 bytes an atom.
 class LabelCollector {
  public:
   virtual ~LabelCollector() = default;

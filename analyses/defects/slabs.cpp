@@ -53,26 +53,37 @@ struct Slabs::Layers {
   }
 
   void write(const FrameStore& frame, const CellSpace& space) {
-    struct Buffer {
-      std::uint64_t next;  ///< in the file
-      std::vector<StoredAtom> atoms;
-    };
-    std::vector<Buffer> buffers;
-    for (const Layer& layer : all) buffers.push_back({layer.first, {}});
-    const std::size_t most = buffered / all.size() + 8;
-    const auto flush = [&](Buffer& buffer) {
-      file.write(buffer.next, buffer.atoms);
-      buffer.next += buffer.atoms.size();
-      buffer.atoms.clear();
-    };
+    std::vector<std::uint64_t> next;  // place in the file, of each layer
+    for (const Layer& layer : all) next.push_back(layer.first);
+    std::vector<Waiting> waiting;
     frame.for_blocks([&](const FrameAtoms& atoms, std::size_t first) {
       for (std::size_t i = 0; i < atoms.size(); ++i) {
-        Buffer& buffer = buffers[layer_at(space.cell(along(atoms, axis)[i], axis))];
-        buffer.atoms.emplace_back(atoms, i, static_cast<std::uint32_t>(first + i));
-        if (buffer.atoms.size() == most) flush(buffer);
+        const std::size_t layer = layer_at(space.cell(along(atoms, axis)[i], axis));
+        waiting.push_back({layer, {atoms, i, static_cast<std::uint32_t>(first + i)}});
+        if (waiting.size() == buffered) flush(waiting, next);
       }
     });
-    for (Buffer& buffer : buffers) flush(buffer);
+    flush(waiting, next);
+  }
+
+  /// An atom on its way to the file.
+  struct Waiting {
+    std::size_t layer;
+    StoredAtom atom;
+  };
+
+  void flush(std::vector<Waiting>& waiting, std::vector<std::uint64_t>& next) {
+    std::ranges::stable_sort(waiting, {}, &Waiting::layer);
+    std::vector<StoredAtom> some;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      some.push_back(waiting[i].atom);
+      const std::size_t layer = waiting[i].layer;
+      if (i + 1 < waiting.size() && waiting[i + 1].layer == layer) continue;
+      file.write(next[layer], some);
+      next[layer] += some.size();
+      some.clear();
+    }
+    waiting.clear();
   }
 
   /// First atom in the file, and the end, of the layers from one to before another with their halo.

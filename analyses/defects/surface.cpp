@@ -140,7 +140,7 @@ std::array<double, 3> areas_near(const Zone& zone, const std::vector<Corners>& t
 }  // namespace
 
 SurfaceFinder::SurfaceFinder(const FrameShape& shape, double spacing)
-    : spacing_(spacing), touching_(shape.overlap(touching * spacing)) {
+    : origin_(shape.box.min()), spacing_(spacing), touching_(shape.overlap(touching * spacing)) {
   constexpr double rim = 3;  ///< [spacings]: beyond it nothing of one body changes the surface of the other
   if (!touching_.isEmpty()) near_ = shape.overlap(rim * spacing);
 }
@@ -157,14 +157,14 @@ BodySurfaces SurfaceFinder::surfaces(std::size_t threads) && {
   BodySurfaces found;
   std::array<double, 2> alone{};
   for (std::size_t b = 0; b < 2; ++b) {
-    const Zone zone = std::move(bodies_[b]).zone(spacing_);
+    const Zone zone = std::move(bodies_[b]).zone(origin_, spacing_);
     const auto cells = triangulate(zone, false, threads, filled_limits);
     found.body[b] = mesh_of(zone, cells[0].open);
     add_errors(found.body[b], zone, cells[1], cells[2]);
     alone[b] = areas_near(zone, cells[0].open)[b + 1];
   }
   if (touching_.isEmpty()) return found;
-  const Zone zone = std::move(both_).zone(spacing_);
+  const Zone zone = std::move(both_).zone(origin_, spacing_);
   const auto left = areas_near(zone, triangulate(zone, false, threads).open);
   const double unit = spacing_ * spacing_, first = alone[0] - left[1], second = alone[1] - left[2];
   found.patch = {unit * (first + second) / 2, unit * std::max(std::abs(first - second), left[0]) / 2, dimension::area};

@@ -20,6 +20,7 @@ class SurfaceFinder {
   BodySurfaces surfaces(std::size_t threads) &&;  ///< of all slabs
 
  private:
+  Eigen::Vector3d origin_;
   double spacing_;
   Eigen::AlignedBox3d touching_, near_;  ///< where bodies may touch, and what that may change
   std::array<ZoneParts, 2> bodies_;

@@ -2,6 +2,7 @@
 #include "analyses/defects/zone.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace mdana::defects {
 namespace {
@@ -63,6 +64,9 @@ std::vector<std::uint32_t> ZoneParts::add(const Sites& sites, const std::vector<
     if (!here.empty()) halo_of.mark_about(cell, here);
   }
   std::vector<std::uint32_t> places;
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(halo_of.marked(), std::identity()));
+  places.reserve(count);
+  atoms_.reserve(atoms_.size() + count);
   for (std::uint32_t p = 0; p < seeds.size(); ++p) {
     if (!halo_of.marked()[p] || !sites.is_own(p)) continue;
     atoms_.push_back({sites.position(p), sites.number(p), sites.index(p), sites.body[p], seeds[p]});
@@ -71,26 +75,20 @@ std::vector<std::uint32_t> ZoneParts::add(const Sites& sites, const std::vector<
   return places;
 }
 
-Zone ZoneParts::zone(double spacing) && {
+Zone ZoneParts::zone(const Eigen::Vector3d& origin, double spacing) && {
   std::ranges::sort(atoms_, {}, &Atom::index);
   Zone zone;
   zone.spacing = spacing;
-  zone.origin = atoms_.empty() ? Eigen::Vector3d::Zero() : atoms_.front().at;
+  zone.origin = origin;
   for (const Atom& atom : atoms_) {
     zone.atom.push_back(atom.index);
-    zone.at.push_back((atom.at - zone.origin) / spacing);
+    zone.at.push_back((atom.at - origin) / spacing);
     zone.number.push_back(atom.number);
     zone.body.push_back(atom.body);
     zone.seed.push_back(atom.seed);
   }
   atoms_ = {};
   return zone;
-}
-
-Zone zone_about(const Sites& sites, const std::vector<char>& seeds, BodyIndex body) {
-  ZoneParts parts;
-  parts.add(sites, seeds, body);
-  return std::move(parts).zone(sites.grid.spacing);
 }
 
 }  // namespace mdana::defects

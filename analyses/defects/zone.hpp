@@ -42,7 +42,8 @@ class ZoneParts {
  public:
   /// What is about the seeds, by place, among the atoms of one body (0: of all); its places.
   std::vector<std::uint32_t> add(const Sites& sites, const std::vector<char>& seeds, BodyIndex body);
-  Zone zone(double spacing) &&;
+  /// All of them. Zones of one frame have one origin [length], so that sums over their atoms are the same bits.
+  Zone zone(const Eigen::Vector3d& origin, double spacing) &&;
 
  private:
   struct Atom {
@@ -54,9 +55,6 @@ class ZoneParts {
   };
   std::vector<Atom> atoms_;
 };
-
-/// The zone about the seeds of a whole frame.
-Zone zone_about(const Sites& sites, const std::vector<char>& seeds, BodyIndex body);
 
 using Corners = std::array<std::uint32_t, 3>;      ///< atoms of the zone
 using Tetrahedron = std::array<std::uint32_t, 4>;  ///< likewise

@@ -203,12 +203,9 @@ const Command defects_command{
     "Labels every atom fcc, hcp or other by common neighbours with a local cutoff (nothing to choose),\n"
     "with a repair of what thermal noise hides; other atoms as surface, contact (with the other body)\n"
     "or bulk defect. Stacking faults and twins from layers of hcp atoms, with their areas; the turn\n"
-    "of each body's lattice; its surface, voids and contact patch; dislocation lines with exact Burgers vectors,
-"
-    "followed from frame to frame. --frames takes all (default), last, or A:B[:K].
-"
-    "A frame that needs more than --memory (if it is not given, half of what is free) is done in slabs, by way
-"
+    "of each body's lattice; its surface, voids and contact patch; dislocation lines with exact Burgers vectors,\n"
+    "followed from frame to frame. --frames takes all (default), last, or A:B[:K].\n"
+    "A frame that needs more than --memory (if it is not given, half of what is free) is done in slabs, by way\n"
     "of temporary files in $TMPDIR: the same results, and less memory.",
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --dump labels.lammpstrj --csp\n"

@@ -186,7 +186,7 @@ class Defects(Case):
         text = self.mdana("defects", path).stdout
         self.assertRegex(text, r"first defect +step 2.*12 atoms about \(")
         self.assertRegex(text, r"at separation +step 3.*12 bulk defects")
-        self.assertRegex(text, r"in time +step +delta +hcp +bulk +faults +twins +surface +patch\n +0 ")
+        self.assertRegex(text, r"in time +step +delta +hcp +bulk +faults +twins +surface +patch +areas in σ\^2\n +0 .* 0\n +1 ")
         self.assertIn("in contact in the last frame", self.mdana("defects", path, "--frames", ":3").stdout)
 
     def test_one_body(self):

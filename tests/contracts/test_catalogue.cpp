@@ -103,8 +103,9 @@ void expect_same_bits(const SweepResult& a, const SweepResult& b) {
   });
 }
 
-// Frames of more than one block; kept whole, kept in part, read twice, with moved last digits.
-TEST(Catalogue, MemoryForBlocksChangesNoBit) {
+// Frames of more than one block; kept whole, kept in part, read twice, with moved last digits; those needed together
+// whole or in slabs.
+TEST(Catalogue, MemoryChangesNoBit) {
   const test::TemporaryFolder folder;
   const auto path =
       folder.write("dump", dump_text(made_up_collision(2, AtomBlock::capacity / 2 + 999)));
@@ -115,6 +116,7 @@ TEST(Catalogue, MemoryForBlocksChangesNoBit) {
     ASSERT_EQ(plain.steps.size(), 2u);
     for (const std::size_t memory : {std::size_t{1}, std::size_t{3'000'000}}) {
       options.memory = memory;
+      options.frame_memory = memory;
       expect_same_bits(plain, test::sweep_catalogue(path, test::made_up_scene(), options));
     }
   }

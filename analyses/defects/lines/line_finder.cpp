@@ -45,6 +45,7 @@ struct LineFinder::Found {
 };
 
 struct LineFinder::State {
+  Eigen::Vector3d origin;
   double spacing;
   bool everywhere;
 
@@ -67,7 +68,9 @@ struct LineFinder::State {
   void add_seeds(const Indices& seeds);
 };
 
-LineFinder::LineFinder(double spacing, bool everywhere) : state_(std::make_unique<State>()) {
+LineFinder::LineFinder(const Eigen::Vector3d& origin, double spacing, bool everywhere)
+    : state_(std::make_unique<State>()) {
+  state_->origin = origin;
   state_->spacing = spacing;
   state_->everywhere = everywhere;
 }
@@ -89,7 +92,7 @@ void LineFinder::add(const Sites& sites) {
 /// The lines among the atoms that were added, their gaps bridged.
 LineFinder::Found LineFinder::State::look(std::span<const BodyLattice, 2> lattices, std::size_t threads) {
   Found now;
-  now.zone = std::move(parts).zone(spacing);
+  now.zone = std::move(parts).zone(origin, spacing);
   std::ranges::sort(own, {}, &OwnFrame::index);
   for (const OwnFrame& frame : own) now.site.push_back(frame.site);
   const Zone& zone = now.zone;

@@ -14,8 +14,8 @@ namespace mdana::defects {
 /// where lines leave these: the slabs of the frame are added again as long as the finder wants more.
 class LineFinder {
  public:
-  /// `everywhere`: all atoms are looked at.
-  LineFinder(double spacing, bool everywhere);
+  /// `origin` of the frame's zones [length]; `everywhere`: all atoms are looked at.
+  LineFinder(const Eigen::Vector3d& origin, double spacing, bool everywhere);
   ~LineFinder();
 
   void add(const Sites& sites);  ///< of the next slab
