@@ -166,6 +166,7 @@ void LineTracks::sweep(const Seen& before, const Seen& now, bool turned, double 
 }
 
 void LineTracks::finish() {
+  for (SlipSystem& system : slip_) system.reversed = std::min(system.reversed, system.shear - system.reversed);
   std::ranges::stable_sort(slip_, std::greater(), &SlipSystem::shear);
 }
 

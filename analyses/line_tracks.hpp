@@ -29,7 +29,7 @@ struct SlipSystem {
   Eigen::Vector3i plane;    ///< {111} in the axes of the crystal about the lines
   Eigen::Vector3d burgers;  ///< likewise [lattice constants]; its first component that is not 0 is positive
   double shear = 0;         ///< sum of |b| swept area / volume of the body
-  double reversed = 0;      ///< of it, in the other sense
+  double reversed = 0;      ///< of it, in the sense that had less (after finish())
 };
 
 /// A frame as the tracks need it.
@@ -56,7 +56,7 @@ class LineTracks {
   /// Plastic distortion of a body, sum of b (line x motion) / volume over all that was followed, in the space of the
   /// dump (Mura, Micromechanics of Defects in Solids, 1987).
   const Eigen::Matrix3d& distortion(BodyIndex body) const { return distortion_[body - 1u]; }
-  void finish();  ///< orders the slip systems
+  void finish();  ///< completes and orders the slip systems; once
 
  private:
   struct Seen {

@@ -31,6 +31,7 @@ DefectSettings defect_settings(const Values& values) {
   settings.by_cgal = choice(values, "neighbours", neighbour_searches) == 1;
   settings.surface = !values["no-surface"].as<bool>();
   settings.lines = !values["no-lines"].as<bool>();
+  settings.lines_everywhere = values["lines-everywhere"].as<bool>();
   for (const char* wanted : {"ca", "segments"})
     if (!settings.lines && values.count(wanted))
       throw UsageError(fmt::format("--{} and --no-lines: give one of them", wanted));
@@ -153,6 +154,8 @@ void add_options(Options& options) {
        "leave out area, volume, radius and voids of the bodies and the contact patch, which take most of "
        "the time")    //
       ("no-lines", po::bool_switch(), "leave out dislocation lines")                             //
+      ("lines-everywhere", po::bool_switch(),
+       "look for lines among all atoms, not only near defects: much slower, to test that they are the same")  //
       ("spacing", po::value<double>()->value_name("LENGTH"),
        "distance of nearest neighbours (default: found in each frame)")                          //
       ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),

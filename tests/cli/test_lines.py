@@ -95,7 +95,7 @@ class Lines(Case):
         volume = len(sheared(0)) * EDGE**3 / 4
         swept = 6 * np.mean([f["total_length"]["value"] for f in document["frames"]])
         shear = EDGE / math.sqrt(6) * swept / volume
-        self.assertAlmostEqual(system["shear"] / shear, 1, delta=0.06)  # the place of a core: 0.2 of 6
+        self.assertAlmostEqual(system["shear"] / shear, 1, delta=0.1)  # half a neighbour of 6
         # The line moves to where nothing had slipped: along +[11-2] there was slip already, so it takes slip back.
         normal = np.array([1, 1, 1]) / math.sqrt(3)
         moved = np.array(history["distortion"][0]) @ normal

@@ -12,6 +12,8 @@ SHORT = {
     # Within 1.8 of a {110} surface, whose two outer layers have no structure, a line is taken for a part of it.
     "film_across_2.0": 0.16,
     "film_across_2.5": 0.05,
+    # Its core is wide while it moves; the shortest way within is taken.
+    "shockley_loop_relaxed": 0.045,
 }
 # Frank loops of vacancies have dissociated after twenty steps (stair-rods 1.3 from Shockley partials all along);
 # the partials of twin_crossing are 2.8 apart.

@@ -37,6 +37,7 @@ class FrameFinder {
     for (const Structure root : {Structure::fcc, Structure::hcp})
       for (std::uint32_t i = 0; i < zone_.size(); ++i)
         if (own_[i].kind >= 0 && !crystal_.framed[i] && own_[i].structure == root) grow(i);
+    unite_aligned();
     return std::move(crystal_);
   }
 
@@ -148,6 +149,21 @@ class FrameFinder {
       set(step.next, step.turn, grain);
       add_steps(steps, step.next);
     }
+  }
+
+  /// Grains in the axes of one lattice are one.
+  void unite_aligned() {
+    std::array<std::uint32_t, 2> of_body{ZoneCrystal::no_grain, ZoneCrystal::no_grain};
+    std::vector<std::uint32_t> becomes(crystal_.grains.size());
+    for (std::uint32_t g = 0; g < becomes.size(); ++g) {
+      becomes[g] = g;
+      if (!crystal_.grains[g].aligned) continue;
+      std::uint32_t& first = of_body[one_lattice_ ? 0 : crystal_.grains[g].body - 1u];
+      if (first == ZoneCrystal::no_grain) first = g;
+      becomes[g] = first;
+    }
+    for (std::uint32_t& grain : crystal_.grain)
+      if (grain != ZoneCrystal::no_grain) grain = becomes[grain];
   }
 
   /// From the cube about an atom to the axes of its body's lattice, if that is the same or a twin.

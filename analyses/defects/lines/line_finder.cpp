@@ -81,9 +81,12 @@ void LineFinder::add(const Sites& sites) {
   State& s = *state_;
   std::vector<char> seeds(sites.site.size(), s.everywhere);
   if (s.by_rule && !s.everywhere) seeds = line_seeds(sites);
-  if (!s.wanted.empty())
+  if (!s.wanted.empty()) {
+    std::vector<char> wanted(s.wanted.back() + std::size_t{1});
+    for (const std::uint32_t index : s.wanted) wanted[index] = 1;
     for (std::size_t p = 0; p < seeds.size(); ++p)
-      if (std::ranges::binary_search(s.wanted, sites.index(p))) seeds[p] = 1;
+      if (sites.index(p) < wanted.size() && wanted[sites.index(p)]) seeds[p] = 1;
+  }
   const auto places = s.parts.add(sites, seeds, 0);
   const auto own = own_frames(sites, places);
   s.own.insert(s.own.end(), own.begin(), own.end());

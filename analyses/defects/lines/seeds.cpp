@@ -33,7 +33,7 @@ std::vector<char> line_seeds(const Sites& sites) {
       if (layer.in_plane[n] && sites.structure[(*twelve)[n].place] != Structure::hcp) seeds[hcp[k]] = 1;
   });
   for (std::uint32_t p = 0; p < seeds.size(); ++p)
-    if (sites.site[p] == Site::bulk_defect) seeds[p] = 1;
+    if (sites.site[p] == Site::bulk_defect || sites.site[p] == Site::contact) seeds[p] = 1;
   add_surface_beside(seeds, sites);
   return seeds;
 }
