@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "readers/input_error.hpp"
+#include "reports/study/outputs.hpp"
+#include "reports/study/report_directory.hpp"
+
+namespace mdana {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path without_slash(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+std::string brief(double seconds) { return fmt::format("{:.1f} s", seconds); }
+
+/// Runs what is to be run, and tells of it.
+class Runner {
+ public:
+  Runner(std::vector<StudyRun>& runs, const RunCache& cache, const ReportOptions& options)
+      : runs_(runs), cache_(cache), options_(options) {}
+
+  /// First those that wait for no other, then those that wait for them.
+  void run() {
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      settle(runs_, k, cache_);
+      if (runs_[k].done()) tell(k, "from the cache");
+      if (runs_[k].state == RunState::failed) tell(k, "failed: " + runs_[k].why);
+      if (runs_[k].state == RunState::left_out) tell(k, runs_[k].why);
+    }
+    run_those_to_run();
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (runs_[k].state != RunState::waiting) continue;
+      settle(runs_, k, cache_);
+      if (runs_[k].done()) tell(k, "from the cache");
+    }
+    run_those_to_run();
+    tell_total();
+  }
+
+ private:
+  void run_those_to_run() {
+    std::vector<std::size_t> waiting;
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+      if (runs_[k].state == RunState::to_run) waiting.push_back(k);
+    if (waiting.empty()) return;
+    const std::size_t jobs = std::min(options_.jobs, waiting.size());
+    SweepOptions sweeping = options_.sweeping;
+    sweeping.threads = std::max<std::size_t>(1, sweeping.threads / jobs);
+    std::vector<Work> works;
+    for (const std::size_t k : waiting)
+      works.push_back([this, k, sweeping] {
+        cache_.store(runs_[k].file, key_of(runs_[k].task), analyse_task(runs_[k].task, sweeping));
+      });
+    run_in_processes(works, jobs, options_.sweeping.stop, [&](const WorkDone& done) { take(waiting[done.index], done); });
+  }
+
+  void take(std::size_t k, const WorkDone& done) {
+    StudyRun& run = runs_[k];
+    run.seconds = done.seconds;
+    run.state = done.failure.empty() ? RunState::cached : RunState::failed;
+    ++anew_;
+    tell(k, done.failure.empty() ? fmt::format("done in {} ({})", brief(done.seconds), run.why) : "failed: " + done.failure);
+    run.why = done.failure;
+  }
+
+  void tell(std::size_t k, const std::string& what) {
+    options_.tell(fmt::format("[{}/{}] {}: {}", ++told_, runs_.size(), runs_[k].plan->name, what));
+  }
+
+  void tell_total() {
+    const auto count = [&](RunState state) { return std::ranges::count(runs_, state, &StudyRun::state); };
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+    const auto failed = count(RunState::failed), left_out = count(RunState::left_out);
+    options_.tell(fmt::format("{} run{}: {} analysed anew, {} from the cache, {} failed{}, in {}", runs_.size(),
+                              runs_.size() == 1 ? "" : "s", anew_,
+                              std::ranges::count_if(runs_, [](const StudyRun& r) { return r.done() && r.seconds == 0; }),
+                              failed, left_out > 0 ? fmt::format(", {} not asked for", left_out) : "", brief(seconds.count())));
+  }
+
+  std::vector<StudyRun>& runs_;
+  const RunCache& cache_;
+  const ReportOptions& options_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::size_t told_ = 0, anew_ = 0;
+};
+
+/// All files that the report was made from.
+std::vector<InputRecord> inputs_of(const StudyPlan& plan, const std::vector<StudyRun>& runs) {
+  std::vector<InputRecord> inputs;
+  if (!plan.file.empty()) inputs.push_back(input_record(plan.file.filename()));
+  for (const StudyRun& run : runs)
+    if (run.done())
+      for (const InputRecord& file : run.task.files)
+        if (std::ranges::find(inputs, file.path, &InputRecord::path) == inputs.end()) inputs.push_back(file);
+  return inputs;
+}
+
+bool is_damaged(const StudyRun& run, const RunCache& cache) {
+  if (!run.done()) return false;
+  const nlohmann::ordered_json document = cache.load(run.file).document;
+  return std::ranges::any_of(document.value("warnings", nlohmann::ordered_json::array()),
+                             [](const auto& w) { return w.template get<std::string>().starts_with("damaged input"); });
+}
+
+const char* in_words(RunState state) {
+  switch (state) {
+    case RunState::cached: return "cached";
+    case RunState::to_run: return "to run";
+    case RunState::waiting: return "to run if changed";
+    case RunState::failed: return "fails";
+    case RunState::left_out: break;
+  }
+  return "left out";
+}
+
+}  // namespace
+
+std::string planned_report(const ReportOptions& options) {
+  const fs::path place = without_slash(options.output);
+  const StudyPlan plan = read_study(options.input);
+  fs::current_path(plan.directory);
+  std::vector<StudyRun> runs = open_runs(plan, options.only);
+  const RunCache cache(place / "cache");
+  std::size_t width = 0;
+  for (const StudyRun& run : runs) width = std::max(width, run.plan->name.size());
+  std::string text;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    settle(runs, k, cache);
+    const std::string why = runs[k].why.empty() ? "" : ": " + runs[k].why;
+    text += fmt::format("{:<{}}  {}{}\n", runs[k].plan->name, width, in_words(runs[k].state), why);
+  }
+  return text;
+}
+
+ReportDone make_report(const ReportOptions& options) {
+  const fs::path place = without_slash(options.output);
+  const StudyPlan plan = read_study(options.input);
+  ReportDirectory directory(place);
+  fs::current_path(plan.directory);
+  std::vector<StudyRun> runs = open_runs(plan, options.only);
+  const RunCache cache(directory.cache());
+  Runner(runs, cache, options).run();
+  ReportDone done;
+  done.json = write_report(plan, runs, cache, directory.fresh(), options);
+  directory.commit({{"directory", plan.directory.string()}}, inputs_of(plan, runs));
+  std::vector<std::string> names;
+  for (const StudyRun& run : runs) {
+    names.push_back(run.file);
+    if (run.state == RunState::failed) done.failures.push_back(fmt::format("{}: {}", run.plan->name, run.why));
+    done.damaged = done.damaged || is_damaged(run, cache);
+  }
+  if (options.only.empty()) cache.keep_only(names);
+  return done;
+}
+
+}  // namespace mdana

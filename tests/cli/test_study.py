@@ -1,0 +1,425 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A study: its file, the cache of its report, what is run anew and why, stops at any moment, and what `verify` sees."""
+
+import csv
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import running
+from running import ROOT, Case, main, parse_json, run
+
+SAMPLE = ROOT / "sample-data"
+NAMES = ("adhesive-tiny", "aggregate-tiny", "hertz-tiny")
+
+
+def without_times(json_object):
+    """Everything but what the run cost and how it was called."""
+    if isinstance(json_object, dict):
+        return {name: without_times(value) for name, value in json_object.items()
+                if name not in ("seconds", "fit_seconds", "provenance")}
+    if isinstance(json_object, list):
+        return [without_times(value) for value in json_object]
+    return json_object
+
+
+class Study(Case):
+    def setUp(self):
+        super().setUp()
+        self.runs, self.out = self.dir / "runs", self.dir / "report"
+        for name in NAMES:
+            shutil.copytree(SAMPLE / name, self.runs / name)
+
+    def study(self, **settings):
+        """A study file without what takes long, unless it is asked for."""
+        self.mdana("study", "init", self.runs)
+        file = self.runs / "study.toml"
+        text = file.read_text(encoding="utf-8")
+        for name in ("accuracy", "stability", "defects"):
+            text = re.sub(rf"(?m)^{name} = true", f"{name} = {'true' if settings.get(name) else 'false'}", text)
+        file.write_text(text, encoding="utf-8")
+        return file
+
+    def report(self, *arguments, study=None, out=None, code=0):
+        return self.mdana("report", study or self.runs / "study.toml", "-o", out or self.out, *arguments, code=code)
+
+    def plan(self, *arguments):
+        lines = self.report("--dry-run", *arguments).stdout.splitlines()
+        return {line.split()[0]: line.split(None, 1)[1] for line in lines}
+
+    def results(self, out=None):
+        return parse_json(((out or self.out) / "results.json").read_text(encoding="utf-8"))
+
+    def edit(self, name, old, new):
+        scene = self.runs / name / "scene.toml"
+        text = scene.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        scene.write_text(text.replace(old, new), encoding="utf-8")
+
+    def files(self, out):
+        """Contents of all files of a report that hold no times, the documents without them."""
+        found = {}
+        for path in sorted(p for p in out.rglob("*") if p.is_file()):
+            name = str(path.relative_to(out))
+            if name.startswith("cache/") or name in ("manifest.json", "results.h5", ".mdana-report"):
+                continue
+            found[name] = without_times(parse_json(path.read_text())) if path.suffix == ".json" else path.read_bytes()
+        return found
+
+
+class StudyFile(Study):
+    def test_init_lists_the_runs(self):
+        done = self.mdana("study", "init", self.runs)
+        self.assertEqual(done.stdout, f"{self.runs / 'study.toml'}\n")
+        text = (self.runs / "study.toml").read_text(encoding="utf-8")
+        for name in NAMES:
+            self.assertIn(f'name = "{name}"\nscene = "{name}/scene.toml"', text)
+        for group in ("adhesive, R = 5", "aggregate, phi = 0.4, R = 800", "hertz, R = 5"):
+            self.assertIn(f'group = "{group}"', text)
+        self.assertEqual(self.mdana("study", "init", self.runs, "--print").stdout, text)
+
+    def test_dumps_without_a_scene_are_named(self):
+        shutil.copy(SAMPLE / "hertz-tiny" / "dump.lammpstrj.gz", self.runs / "bare.lammpstrj.gz")
+        text = self.mdana("study", "init", self.runs, "--print").stdout
+        self.assertIn("#   bare.lammpstrj.gz", text)
+        self.assertNotIn("#   hertz-tiny", text)
+
+    def test_an_edited_file_is_not_replaced(self):
+        file = self.study()
+        before = file.read_text(encoding="utf-8")
+        self.assertIn("--force", self.mdana("study", "init", self.runs, code=1).stderr)
+        self.assertEqual(file.read_text(encoding="utf-8"), before)
+        self.mdana("study", "init", self.runs, "--force")
+        self.assertNotEqual(file.read_text(encoding="utf-8"), before)
+
+    def test_faults_are_told_with_their_lines(self):
+        file = self.study()
+        good = file.read_text(encoding="utf-8")
+        for old, new, says in [
+            ("schema = 1", "schema = 2", "schema"),
+            ("accuracy = false", "accurate = false", "checks.accurate: unknown key"),
+            ("accuracy = false", 'accuracy = "no"', "true or false"),
+            ("laws = []", 'laws = ["jkrr"]', "none of"),
+            ("kinds = []", 'kinds = ["force", "Force"]', "'Force' is none of"),
+            ('name = "hertz-tiny"', 'name = "adhesive-tiny"', "stands twice"),
+            ('name = "hertz-tiny"', 'name = ""', "needs one"),
+            ('scene = "hertz-tiny/scene.toml"', "", "needs a scene file"),
+            ("[figures]", "[figures", "study.toml:"),
+        ]:
+            with self.subTest(new):
+                self.assertIn(old, good)
+                file.write_text(good.replace(old, new), encoding="utf-8")
+                message = self.report(code=1).stderr
+                self.assertIn("study.toml", message)
+                self.assertIn(says, message)
+                self.assertFalse(self.out.exists())
+
+    def test_runs_of_one_name_are_told_apart(self):
+        shutil.copytree(SAMPLE / "hertz-tiny", self.runs / "again")
+        text = self.mdana("study", "init", self.runs, "--print").stdout
+        self.assertIn('name = "again"', text)
+        self.assertIn('name = "hertz-tiny"', text)
+
+
+class Cache(Study):
+    def test_only_what_changed_is_run_anew(self):
+        self.study()
+        self.assertEqual({state.split(":")[0] for state in self.plan().values()}, {"to run", "to run if changed"})
+        first = self.report().stderr
+        self.assertIn("3 runs: 3 analysed anew, 0 from the cache, 0 failed", first)
+        before = self.files(self.out)
+        self.assertEqual(set(self.plan().values()), {"cached"})
+        second = self.report().stderr
+        self.assertIn("3 runs: 0 analysed anew, 3 from the cache, 0 failed", second)
+        self.assertEqual(self.files(self.out), before)
+
+        self.edit("aggregate-tiny", "filling_factor = 0.4", "filling_factor = 0.41")
+        plan = self.plan()
+        self.assertEqual(plan["aggregate-tiny"], "to run: changed: aggregate-tiny/scene.toml")
+        self.assertEqual([plan[name] for name in ("adhesive-tiny", "hertz-tiny")], ["cached", "cached"])
+        self.assertIn("1 analysed anew, 2 from the cache", self.report().stderr)
+        phi = {r["name"]: r for r in self.results()["runs"]}["aggregate-tiny"]["phi"]["value"]
+        self.assertEqual(phi, 0.41)
+
+    def test_a_changed_dump_or_setting(self):
+        file = self.study()
+        self.report()
+        dump = self.runs / "hertz-tiny" / "dump.lammpstrj.gz"
+        dump.write_bytes(dump.read_bytes() + subprocess.run(["gzip", "-c"], input=b"\n", capture_output=True, check=True).stdout)
+        plan = self.plan()
+        self.assertEqual(plan["hertz-tiny"], "to run: changed: hertz-tiny/dump.lammpstrj.gz")
+        self.assertIn("after hertz-tiny", plan["adhesive-tiny"])  # whose R places its delta
+        self.assertEqual(plan["aggregate-tiny"], "cached")
+        # The blank line changes no number of the Hertz run, so that the adhesive one is as it was.
+        self.assertIn("1 analysed anew, 2 from the cache", self.report().stderr)
+        file.write_text(file.read_text().replace("stability = false", "stability = true"))
+        self.assertTrue(all("settings" in state or "after" in state for state in self.plan().values()))
+
+    def test_a_damaged_cache_is_run_anew(self):
+        self.study()
+        self.report()
+        record = self.out / "cache" / "hertz-tiny.run"
+        data = bytearray(record.read_bytes())
+        data[len(data) // 2] ^= 1
+        record.write_bytes(data)
+        self.assertTrue(self.plan()["hertz-tiny"].startswith("to run: no result yet"))
+        self.report()
+        self.assertEqual(set(self.plan().values()), {"cached"})
+
+    def test_a_dry_run_writes_nothing(self):
+        self.study()
+        self.plan()
+        self.assertFalse(self.out.exists())
+
+    def test_only(self):
+        self.study()
+        done = self.report("--only", "hertz*")
+        self.assertIn("1 analysed anew", done.stderr)
+        self.assertEqual({run["name"]: "not_run" in run for run in self.results()["runs"]},
+                         {"adhesive-tiny": True, "aggregate-tiny": True, "hertz-tiny": False})
+        self.assertIn("--only", (self.out / "index.html").read_text(encoding="utf-8"))
+        self.report()
+        self.report("--only", "adhesive-tiny")  # keeps the results of the others
+        self.assertFalse(any("not_run" in run for run in self.results()["runs"]))
+        self.assertIn("hertz-tiny", self.report("--only", "nothing", code=1).stderr)
+
+    def test_a_broken_run_is_told_and_does_not_stop_the_others(self):
+        self.study()
+        dump = self.runs / "adhesive-tiny" / "dump.lammpstrj.gz"
+        whole = dump.read_bytes()
+        dump.write_bytes(b"no dump\n")
+        done = self.report(code=1)
+        self.assertIn("1 failed", done.stderr)
+        by_name = {run["name"]: run for run in self.results()["runs"]}
+        self.assertIn("dump.lammpstrj.gz", by_name["adhesive-tiny"]["failure"])
+        self.assertIn("delta_max", by_name["hertz-tiny"])
+        self.assertIn("adhesive-tiny", (self.out / "index.html").read_text(encoding="utf-8"))
+        rows = list(csv.DictReader((self.out / "results.csv").open(encoding="utf-8")))
+        self.assertEqual({row["run"]: row["state"] for row in rows},
+                         {"adhesive-tiny": "failed", "aggregate-tiny": "measured", "hertz-tiny": "measured"})
+        dump.write_bytes(whole)
+        self.assertIn("1 analysed anew, 2 from the cache, 0 failed", self.report().stderr)
+
+    def test_a_scene_that_cannot_be_read_is_a_broken_run(self):
+        self.study()
+        self.edit("hertz-tiny", "schema = 1", "schema = 7")
+        self.report(code=1)
+        self.assertIn("schema", {r["name"]: r for r in self.results()["runs"]}["hertz-tiny"]["failure"])
+
+
+class Stops(Study):
+    def uninterrupted(self):
+        out = self.dir / "whole"
+        self.report(out=out)
+        return self.files(out)
+
+    def start(self):
+        return subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out), "--jobs", "1"],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def test_killed_at_any_moment_it_goes_on(self):
+        """Bytes are those of an uninterrupted report, whenever it is killed: before, within and after the first run, while
+        the page is written."""
+        self.study(stability=True)
+        whole = self.uninterrupted()
+        started = time.monotonic()
+        process = self.start()
+        self.assertEqual(process.wait(timeout=running.SECONDS), 0)
+        seconds = time.monotonic() - started
+        for share in (0.02, 0.2, 0.4, 0.6, 0.8, 0.9, 0.97):
+            with self.subTest(share):
+                shutil.rmtree(self.out, ignore_errors=True)
+                process = self.start()
+                time.sleep(share * seconds)
+                process.kill()
+                process.wait(timeout=running.SECONDS)
+                self.report()
+                self.assertEqual(self.files(self.out).keys(), whole.keys())
+                for name, content in self.files(self.out).items():
+                    self.assertEqual(content, whole[name], name)
+                self.assertEqual([p.name for p in (self.out / "cache").iterdir() if p.suffix != ".run" or "part" in p.name], [])
+
+    def test_a_signal_stops_it_and_it_says_what_is_kept(self):
+        self.study(stability=True, accuracy=True)
+        process = subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGTERM)
+        _, error = process.communicate(timeout=running.SECONDS)
+        self.assertEqual(process.returncode, 75, error)
+        self.assertIn("goes on from there", error)
+        self.report()
+
+    def test_the_second_of_two_processes_is_told(self):
+        self.study(stability=True, accuracy=True)
+        first = self.start()
+        try:
+            deadline = time.monotonic() + running.SECONDS
+            while not (self.out / "cache").exists() and time.monotonic() < deadline:
+                time.sleep(0.001)
+            second = run("report", self.runs / "study.toml", "-o", self.out)
+            self.assertEqual(second.returncode, 1)
+            self.assertIn("another mdana report", second.stderr)
+        finally:
+            self.assertEqual(first.wait(timeout=running.SECONDS), 0)
+        self.report()
+
+
+class Outputs(Study):
+    def test_one_row_a_run(self):
+        self.study()
+        self.report()
+        rows = {row["run"]: row for row in csv.DictReader((self.out / "results.csv").open(encoding="utf-8"))}
+        self.assertEqual(set(rows), set(NAMES))
+        documents = {run["name"]: run for run in self.results()["runs"]}
+        for name, row in rows.items():
+            self.assertEqual(row["group"], documents[name]["group"])
+            self.assertEqual(float(row["delta_max"]), documents[name]["delta_max"]["value"])
+            self.assertEqual(float(row["delta_max_error"]), documents[name]["delta_max"]["error"])
+        self.assertEqual(rows["adhesive-tiny"]["seed"], "4")
+        self.assertEqual(float(rows["adhesive-tiny"]["velocity"]), 0.1)
+        self.assertEqual(float(rows["adhesive-tiny"]["orientation_w1"]), -0.3858665539514308)
+        self.assertEqual(float(rows["hertz-tiny"]["E_star"]), documents["hertz-tiny"]["E_star"]["value"])
+        self.assertEqual(rows["adhesive-tiny"]["E_star"], "")
+
+    def test_numbers_are_those_of_the_single_commands(self):
+        self.study()
+        self.report()
+        documents = {run["name"]: run for run in self.results()["runs"]}
+        compress = self.document("compress", SAMPLE / "aggregate-tiny" / "dump.lammpstrj.gz")
+        self.assertEqual(documents["aggregate-tiny"]["delta_max"], compress["delta_max"])
+        hertz = self.document("fit-hertz", SAMPLE / "hertz-tiny" / "dump.lammpstrj.gz")
+        self.assertEqual(documents["hertz-tiny"]["E_star"], hertz["E_star"])
+        radius = documents["hertz-tiny"]["R"]["value"]
+        single = self.document("collision", SAMPLE / "adhesive-tiny" / "dump.lammpstrj.gz", "--radius", repr(radius))
+        for name in ("F_max", "hysteresis_area", "far_side", "outcome"):
+            self.assertEqual(documents["adhesive-tiny"][name], single[name], name)
+
+    def test_provenance(self):
+        self.study()
+        self.report()
+        provenance = self.results()["provenance"]
+        self.assertEqual(provenance["command_line"][1], "report")
+        self.assertRegex(provenance["program"], r"\A\d+\.\d+\.\d+ xxh3:[0-9a-f]{32}\Z")
+        self.assertEqual(provenance["machine"]["cores"], os.cpu_count())
+        for library in ("Eigen", "Ceres", "HDF5"):
+            self.assertRegex(provenance["libraries"][library], r"\A\d+\.\d+")
+        self.assertEqual(provenance["seeds"]["last_digits"], [1, 2, 3, 4])
+
+    def test_figures_and_what_is_left_out(self):
+        self.study(defects=True)
+        self.report()
+        results = self.results()
+        kinds = {line.split()[0] for line in self.mdana("plot", "--list").stdout.splitlines() if not line.startswith(" ")}
+        drawn = {figure["name"] for figure in results["figures"]}
+        left_out = {entry["what"].split()[1] for entry in results["left_out"] if entry["what"].startswith("figure ")}
+        for kind in kinds:
+            there = any(name == kind or name.startswith(kind + "-") for name in drawn)
+            self.assertTrue(there or kind in left_out, f"{kind} is neither drawn nor left out")
+        for kind in ("force", "contact-radius", "non-fcc", "hertz-fit", "compression", "modulus-yield", "grain-force"):
+            self.assertTrue(any(name.startswith(kind + "-") for name in drawn), kind)
+        self.assertIn("snapshots", left_out)
+        for name in drawn:
+            for ending in ("csv", "gp") + (("svg", "pdf") if shutil.which("gnuplot") else ()):
+                self.assertTrue((self.out / "figures" / f"{name}.{ending}").is_file(), f"{name}.{ending}")
+
+    def test_a_figure_shows_the_numbers_of_its_runs(self):
+        self.study()
+        self.report()
+        shown = running.read_csv(self.out / "figures" / "phase-plane-hertz__R___5.csv")
+        frames = running.read_csv(self.out / "runs" / "hertz-tiny" / "frames.csv")
+        pairs = set(zip(frames["delta"], frames["v"]))
+        self.assertGreater(len(shown["delta"]), 10)
+        self.assertLessEqual(set(zip(shown["delta"], shown["v"])), pairs)
+
+    def test_hdf5(self):
+        """By the lines that README.md shows."""
+        try:
+            import h5py  # noqa: F401
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("no h5py, pandas")
+        self.study()
+        self.report()
+        [lines] = [block for block in re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+                   if "results.h5" in block]
+        names = {}
+        exec(lines.replace("report/results.h5", str(self.out / "results.h5")), names)  # what a reader types
+        rows = list(csv.DictReader((self.out / "results.csv").open(encoding="utf-8")))
+        self.assertEqual([name.decode() for name in names["runs"]["run"]], [row["run"] for row in rows])
+        self.assertEqual(list(names["runs"]["delta_max"]), [float(row["delta_max"]) for row in rows])
+        table = running.read_csv(self.out / "runs" / "hertz-tiny" / "frames.csv")
+        self.assertEqual(list(names["frames"]["F"]), table["F"])
+        self.assertEqual(names["modulus"], {r["name"]: r for r in self.results()["runs"]}["hertz-tiny"]["E_star"]["value"])
+        with h5py.File(self.out / "results.h5") as file:
+            self.assertEqual(without_times(json.loads(file["document"][()])), without_times(self.results()))
+
+    def test_verify(self):
+        self.study()
+        self.report()
+        self.assertIn("as the report was made", self.mdana("verify", self.out).stdout)
+        for file, says in [(self.runs / "hertz-tiny" / "dump.lammpstrj.gz", "input hertz-tiny/dump.lammpstrj.gz has other bytes"),
+                           (self.runs / "study.toml", "input study.toml has other bytes"),
+                           (self.out / "results.csv", "output results.csv has other bytes")]:
+            with self.subTest(says):
+                data = file.read_bytes()
+                file.write_bytes(data[:-1] + bytes([data[-1] ^ 1]))
+                told = self.mdana("verify", self.out, code=1).stdout
+                self.assertIn(says, told)
+                self.assertIn("1 changed", told)
+                file.write_bytes(data)
+        (self.out / "index.html").unlink()
+        self.assertIn("index.html is no longer there", self.mdana("verify", self.out, code=1).stdout)
+        self.assertIn("manifest", self.mdana("verify", self.dir, code=1).stderr)
+
+    def test_laws_of_a_group(self):
+        """Two collisions of one group are fitted; of one alone it is said that it is not enough."""
+        shutil.copytree(SAMPLE / "adhesive-tiny", self.runs / "second")
+        self.edit("second", 'name = "adhesive-tiny"', 'name = "second"')
+        file = self.study()
+        file.write_text(file.read_text().replace("laws = []", 'laws = ["jkr"]'))
+        self.report()
+        results = self.results()
+        told = results["laws"] + [e for e in results["left_out"] if e["what"].startswith("law jkr")]
+        self.assertTrue(any("adhesive" in json.dumps(entry) for entry in told))
+        self.assertTrue(any("hertz" in entry["what"] and "at least two" in entry["reason"]
+                            for entry in results["left_out"] if entry["what"].startswith("law jkr")))
+
+
+@unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+class Plot(Case):
+    DUMP = SAMPLE / "hertz-tiny" / "dump.lammpstrj.gz"
+
+    def test_a_figure_of_a_table(self):
+        table = self.dir / "force.csv"
+        self.mdana("force", self.DUMP, "-o", table)
+        for ending, start in (("svg", b"<?xml"), ("pdf", b"%PDF")):
+            figure = self.dir / f"figure.{ending}"
+            self.mdana("plot", "force", table, "-o", figure, "--units", "lj")
+            first = figure.read_bytes()
+            self.assertTrue(first.startswith(start))
+            figure.unlink()
+            time.sleep(1.1)  # a PDF would tell the second that it was made in
+            self.mdana("plot", "force", table, "-o", figure, "--units", "lj")
+            self.assertEqual(figure.read_bytes(), first)
+        shown = running.read_csv(self.dir / "figure.csv")
+        self.assertEqual(set(shown), {"series", "delta", "F"})
+
+    def test_refusals(self):
+        table = self.dir / "t.csv"
+        table.write_text("a,b\n1,2\n", encoding="utf-8")
+        self.assertIn("delta", self.mdana("plot", "force", table, "-o", self.dir / "x.svg", code=1).stderr)
+        for arguments in (["plot"], ["plot", "force"], ["plot", "no-such", table, "-o", self.dir / "x.svg"],
+                          ["plot", "force", table], ["plot", "force", table, "-o", self.dir / "x.png"],
+                          ["plot", "snapshots", table, "-o", self.dir / "x.svg"]):
+            with self.subTest(arguments):
+                self.mdana(*arguments, code=2)
+
+
+if __name__ == "__main__":
+    main()
