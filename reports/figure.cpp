@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/figure.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -111,6 +112,18 @@ void undate(const std::filesystem::path& pdf) {
   write_file(pdf, text);
 }
 
+/// A range for values that are all the same, about which gnuplot would complain; empty for others.
+std::string range_command(const Figure& figure, char axis, std::vector<double> Series::*values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& series : figure.series)
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+        low = std::min(low, (series.*values)[i]), high = std::max(high, (series.*values)[i]);
+  if (low != high) return {};
+  const double margin = low == 0 ? 1 : 0.1 * std::abs(low);
+  return fmt::format("set {}range [{}:{}]\n", axis, low - margin, high + margin);
+}
+
 std::string plot_command(const Figure& figure) {
   std::string text = "plot ";
   for (std::size_t k = 0; k < figure.series.size(); ++k)
@@ -129,6 +142,7 @@ std::string gnuplot_script(const Figure& figure) {
                       quoted(figure.y_label));
   if (figure.log_x) text += "set logscale x\nset format x '%.0e'\n";
   if (figure.log_y) text += "set logscale y\nset format y '%.0e'\n";
+  text += range_command(figure, 'x', &Series::x) + range_command(figure, 'y', &Series::y);
   for (std::size_t k = 0; k < figure.series.size(); ++k) text += data_block(figure.series[k], k);
   text += fmt::format("set terminal svg size 720,460 dynamic noenhanced font 'Helvetica,14' background '#ffffff'\n"
                       "set output {}\n", quoted(figure.name + ".svg")) + plot_command(figure);

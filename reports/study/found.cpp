@@ -117,7 +117,10 @@ std::string run_toml(const PlannedRun& run) {
 
 std::string file_name(const std::string& text) {
   std::string name;
-  for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ? c : '_';
+  for (const char c : text) {
+    const bool kept = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
+    if (kept || !name.ends_with('_')) name += kept ? c : '_';
+  }
   return name.empty() ? "run" : name;
 }
 

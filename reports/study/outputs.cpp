@@ -137,6 +137,11 @@ class Report {
     std::vector<Work> works;
     for (const ReportedRun& run : reported_)
       if (run.measured()) works.push_back([&] { write_run(cache_.load(run.file), place_of(run)); });
+    do_all(works);
+  }
+
+  /// What a report cannot do without.
+  void do_all(const std::vector<Work>& works) {
     run_in_processes(works, options_.jobs, options_.sweeping.stop, [](const WorkDone& done) {
       if (!done.failure.empty()) throw std::runtime_error(done.failure);
     });
@@ -158,11 +163,12 @@ class Report {
   }
 
   void draw_pooled() {
-    for (Figure& figure : figures_.finish(pointers_, fits_)) {
-      if (!drawable(figure)) continue;
-      draw(figure, directory_ / "figures");
-      pooled_.push_back(drawn(figure, directory_ / "figures"));
-    }
+    std::vector<Figure> figures = figures_.finish(pointers_, fits_);
+    std::erase_if(figures, [](Figure& figure) { return !drawable(figure); });
+    std::vector<Work> works;
+    for (const Figure& figure : figures) works.push_back([&] { draw(figure, directory_ / "figures"); });
+    do_all(works);
+    for (const Figure& figure : figures) pooled_.push_back(drawn(figure, directory_ / "figures"));
   }
 
   void write_tables(StudyHdf5& hdf5) {

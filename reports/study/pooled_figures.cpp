@@ -27,6 +27,14 @@ std::string told(const FigureKind& kind, const std::string& of, const std::vecto
                      series.size() == 1 ? "" : "s", low, high);
 }
 
+/// Names of groups can be the same as names of files.
+Figure with_own_name(Figure figure, const std::vector<Figure>& others) {
+  const std::string name = figure.name;
+  for (int k = 2; std::ranges::find(others, figure.name, &Figure::name) != others.end(); ++k)
+    figure.name = fmt::format("{}-{}", name, k);
+  return figure;
+}
+
 std::vector<const ReportedRun*> of_units(Runs runs, Units units) {
   std::vector<const ReportedRun*> all;
   for (const ReportedRun* run : runs)
@@ -107,8 +115,9 @@ std::vector<Figure> PooledFigures::finish(Runs runs, const StudyFits& fits) {
       figure.alt = told(kind, "", figure.series);
       finished_[std::string(kind.name)].push_back(std::move(figure));
     }
-    for (Figure& figure : finished_[std::string(kind.name)]) all.push_back(std::move(figure));
-    if (finished_[std::string(kind.name)].empty())
+    std::vector<Figure>& figures = finished_[std::string(kind.name)];
+    for (Figure& figure : figures) all.push_back(with_own_name(std::move(figure), all));
+    if (figures.empty())
       left_out_.push_back({fmt::format("figure {} ({})", kind.name, kind.papers), std::string(kind.without)});
   }
   return all;

@@ -28,37 +28,38 @@ class Runner {
 
   /// First those that wait for no other, then those that wait for them.
   void run() {
+    settle(runs_, cache_);
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-      settle(runs_, k, cache_);
       if (runs_[k].done()) tell(k, "from the cache");
       if (runs_[k].state == RunState::failed) tell(k, "failed: " + runs_[k].why);
       if (runs_[k].state == RunState::left_out) tell(k, runs_[k].why);
     }
     run_those_to_run();
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
-      if (runs_[k].state != RunState::waiting) continue;
-      settle(runs_, k, cache_);
+    std::vector<std::size_t> waiting;
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+      if (runs_[k].state == RunState::waiting) waiting.push_back(k);
+    settle(runs_, cache_);
+    for (const std::size_t k : waiting)
       if (runs_[k].done()) tell(k, "from the cache");
-    }
     run_those_to_run();
     tell_total();
   }
 
  private:
   void run_those_to_run() {
-    std::vector<std::size_t> waiting;
+    std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < runs_.size(); ++k)
-      if (runs_[k].state == RunState::to_run) waiting.push_back(k);
-    if (waiting.empty()) return;
-    const std::size_t jobs = std::min(options_.jobs, waiting.size());
+      if (runs_[k].state == RunState::to_run) chosen.push_back(k);
+    if (chosen.empty()) return;
+    const std::size_t jobs = std::min(options_.jobs, chosen.size());
     SweepOptions sweeping = options_.sweeping;
     sweeping.threads = std::max<std::size_t>(1, sweeping.threads / jobs);
     std::vector<Work> works;
-    for (const std::size_t k : waiting)
+    for (const std::size_t k : chosen)
       works.push_back([this, k, sweeping] {
         cache_.store(runs_[k].file, key_of(runs_[k].task), analyse_task(runs_[k].task, sweeping));
       });
-    run_in_processes(works, jobs, options_.sweeping.stop, [&](const WorkDone& done) { take(waiting[done.index], done); });
+    run_in_processes(works, jobs, options_.sweeping.stop, [&](const WorkDone& done) { take(chosen[done.index], done); });
   }
 
   void take(std::size_t k, const WorkDone& done) {
@@ -131,11 +132,9 @@ std::string planned_report(const ReportOptions& options) {
   std::size_t width = 0;
   for (const StudyRun& run : runs) width = std::max(width, run.plan->name.size());
   std::string text;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    settle(runs, k, cache);
-    const std::string why = runs[k].why.empty() ? "" : ": " + runs[k].why;
-    text += fmt::format("{:<{}}  {}{}\n", runs[k].plan->name, width, in_words(runs[k].state), why);
-  }
+  settle(runs, cache);
+  for (const StudyRun& run : runs)
+    text += fmt::format("{:<{}}  {}{}{}\n", run.plan->name, width, in_words(run.state), run.why.empty() ? "" : ": ", run.why);
   return text;
 }
 

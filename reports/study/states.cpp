@@ -68,6 +68,30 @@ bool wanted(const std::string& name, const std::string& only) {
   return only.empty() || ::fnmatch(only.c_str(), name.c_str(), 0) == 0;
 }
 
+void settle_one(std::vector<StudyRun>& runs, std::size_t index, const RunCache& cache) {
+  StudyRun& run = runs[index];
+  if (run.state == RunState::failed || run.done()) return;
+  const bool asked = run.state != RunState::left_out;
+  run.task.companion.reset();
+  for (const std::size_t k : run.partners) {
+    if (runs[k].state == RunState::failed || run.task.companion) continue;
+    if (runs[k].done()) {
+      run.task.companion = companion_of(runs[k], cache);
+    } else if (asked && runs[k].state != RunState::left_out) {
+      run.state = RunState::waiting;
+      run.why = "after " + runs[k].plan->name + ", whose E* and R it takes";
+      return;
+    }
+  }
+  const auto known = cache.key(run.file);
+  const std::string changed = known ? difference(*known, key_of(run.task)) : "no result yet";
+  if (changed.empty())
+    run.state = RunState::cached;
+  else if (asked)
+    run.state = RunState::to_run;
+  run.why = run.state == RunState::left_out ? fmt::format("not asked for by --only ({})", changed) : changed;
+}
+
 }  // namespace
 
 std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only) {
@@ -90,28 +114,10 @@ std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only) 
   return runs;
 }
 
-void settle(std::vector<StudyRun>& runs, std::size_t index, const RunCache& cache) {
-  StudyRun& run = runs[index];
-  if (run.state == RunState::failed || run.done()) return;
-  const bool asked = run.state != RunState::left_out;
-  run.task.companion.reset();
-  for (const std::size_t k : run.partners) {
-    if (runs[k].state == RunState::failed || run.task.companion) continue;
-    if (runs[k].done()) {
-      run.task.companion = companion_of(runs[k], cache);
-    } else if (asked && runs[k].state != RunState::left_out) {
-      run.state = RunState::waiting;
-      run.why = "after " + runs[k].plan->name + ", whose E* and R it takes";
-      return;
-    }
-  }
-  const auto known = cache.key(run.file);
-  const std::string changed = known ? difference(*known, key_of(run.task)) : "no result yet";
-  if (changed.empty())
-    run.state = RunState::cached;
-  else if (asked)
-    run.state = RunState::to_run;
-  run.why = run.state == RunState::left_out ? fmt::format("not asked for by --only ({})", changed) : changed;
+void settle(std::vector<StudyRun>& runs, const RunCache& cache) {
+  for (const bool alone : {true, false})  // partners before those that take their E* and R
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      if (runs[k].partners.empty() == alone) settle_one(runs, k, cache);
 }
 
 }  // namespace mdana

@@ -32,8 +32,8 @@ struct StudyRun {
 /// working directory. `only` as ReportOptions has it; throws InputError if no run is called so.
 std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only);
 
-/// Settles whether the result that the cache has is what this run would give; waiting: that depends on
+/// Settles whether the result that the cache has is what a run would give; waiting: that depends on
 /// partners that are to be run. Left-out runs stay so unless their result is there.
-void settle(std::vector<StudyRun>& runs, std::size_t index, const RunCache& cache);
+void settle(std::vector<StudyRun>& runs, const RunCache& cache);
 
 }  // namespace mdana
