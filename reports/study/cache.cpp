@@ -173,8 +173,9 @@ void RunCache::store(const std::string& name, const Json& key, const RunRecord& 
 
 void RunCache::keep_only(const std::vector<std::string>& names) const {
   for (const auto& entry : fs::directory_iterator(directory_))
-    if (entry.path().extension() == ".run" && std::ranges::find(names, entry.path().stem().string()) == names.end())
-      fs::remove(entry.path());
+    if (const fs::path& path = entry.path(); path.filename().string().starts_with('.') ||  // left by one that was killed
+        (path.extension() == ".run" && std::ranges::find(names, path.stem().string()) == names.end()))
+      fs::remove(path);
 }
 
 }  // namespace mdana

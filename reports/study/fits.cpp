@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -71,33 +72,44 @@ bool given_in(const std::vector<ObservedCollision>& seen, const std::string& nam
   return std::ranges::any_of(seen, [&](const ObservedCollision& s) { return s.find(name).has_value(); });
 }
 
-/// The fitted e at the velocities that were seen.
-Series fitted_curve(const std::string& label, const Table& table) {
+/// e against velocity by a law with what was found, from half the least velocity that was seen to half as much
+/// again as the greatest; other numbers are those of the first collision.
+Series fitted_curve(const CollisionLaw& law, const std::string& label, const std::vector<ObservedCollision>& seen,
+                    const ContactFit& fit) {
+  constexpr int points = 60;
   Series series{label, {}, {}, Series::Style::dashed, {}};
-  std::map<double, double> points;
-  for (std::size_t i = 0; i < table.rows(); ++i) points[table.column("v")[i]] = table.column("e_fit")[i];
-  for (const auto& [v, e] : points) {
-    series.x.push_back(v);
-    series.y.push_back(e);
+  std::vector<NamedNumber> found;
+  for (const Estimate& p : fit.parameters) found.push_back({p.name, p.value});
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const ObservedCollision& s : seen) least = std::min(least, *s.find("v")), greatest = std::max(greatest, *s.find("v"));
+  ObservedCollision one = seen.front();
+  const auto velocity = std::ranges::find(one.given, "v", &NamedNumber::name);
+  for (int i = 0; i <= points; ++i) {
+    velocity->value = 0.5 * least + (1.5 * greatest - 0.5 * least) * i / points;
+    const Collision c = collide(law, input_of(law, one, found));
+    series.x.push_back(velocity->value);
+    series.y.push_back(c.e);
   }
   return series;
 }
 
 void fit_law(const CollisionLaw& law, const std::string& group, const std::vector<ObservedCollision>& seen, StudyFits& fits) {
   const std::string what = fmt::format("law {} of group '{}'", law.name, group);
-  if (seen.size() < 2)
-    return fits.left_out.push_back({what, fmt::format("{} collision{} of the group tells e or sticking; at least two are needed",
-                                                      seen.size(), seen.size() == 1 ? "" : "s")});
   ContactFitSettings settings;
   settings.free = usual_free_parameters(law);
   std::erase_if(settings.free, [&](const FreeParameter& f) { return given_in(seen, f.name); });
+  const std::size_t least = settings.free.empty() ? 1 : 2;
+  if (seen.size() < least)
+    return fits.left_out.push_back({what, fmt::format("{} collision{} of the group tell{} e or sticking; at least {} needed",
+                                                      seen.size(), seen.size() == 1 ? "" : "s", seen.size() == 1 ? "s" : "",
+                                                      least == 1 ? "one is" : "two are")});
   try {
     const ContactFit fit = fit_contact(law, seen, settings);
     Document document("fit-contact");
     document.text("group", group);
     add_contact_fit(document, law, settings, seen, fit);
     fits.laws.push_back(document.content());
-    if (fit.usable) fits.restitution.push_back(fitted_curve(fmt::format("{}, {}", law.name, group), contact_fit_table(seen, fit)));
+    if (fit.usable) fits.restitution.push_back(fitted_curve(law, fmt::format("{}, {}", law.name, group), seen, fit));
   } catch (const InputError& error) {
     fits.left_out.push_back({what, error.what()});
   }

@@ -151,6 +151,7 @@ StudyPlan find_runs(const fs::path& directory) {
   plan.title = "Contact mechanics";
   for (const fs::path& file : look(plan.directory).scenes) {
     const Scene scene = scene_of(plan.directory / file);
+    if (scene.interaction == Interaction::adhesive && find_collision_law("jkr")) plan.settings.laws = {"jkr"};
     plan.runs.push_back({scene.name.empty() ? folder_name(plan, file) : scene.name, group_of(scene), file, {}, {}});
   }
   if (plan.runs.empty())

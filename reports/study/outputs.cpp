@@ -69,10 +69,12 @@ ReportedRun reported(const StudyRun& run) {
 
 Json run_json(const ReportedRun& run) {
   Json json{{"name", run.name}, {"group", run.group}};
-  if (run.measured())
+  if (run.measured()) {
+    json["directory"] = "runs/" + run.file;
     json.update(run.document);
-  else
+  } else {
     json[run.left_out ? "not_run" : "failure"] = run.failure;
+  }
   return json;
 }
 
@@ -202,7 +204,7 @@ class Report {
     json["laws"] = fits_.laws;
     json["aggregates"] = fits_.aggregates;
     json["figures"] = Json::array();
-    for (const DrawnFigure& figure : pooled_) json["figures"].push_back({{"name", figure.name}, {"shows", figure.alt}});
+    for (const DrawnFigure& figure : pooled_) json["figures"].push_back({{"name", figure.name}, {"table", "figures/" + figure.name + ".csv"}, {"shows", figure.alt}});
     json["left_out"] = left_out_json(fits_.left_out);
     for (const Json& l : left_out_json(left_out_)) json["left_out"].push_back(l);
     return json;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,17 @@ fs::path without_slash(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
+constexpr const char* hashes_name = "hashes.json";
+
 std::string brief(double seconds) { return fmt::format("{:.1f} s", seconds); }
+
+/// What was read must be what was hashed before. Throws InputError.
+void require_same_files(const RunTask& task, const RunRecord& record) {
+  for (const auto& input : record.document.at("inputs"))
+    for (const InputRecord& file : task.files)
+      if (file.path == input.value("path", "") && file.hash != input.value("hash", ""))
+        throw InputError(fmt::format("{}: changed while the report was made; run it again", file.path));
+}
 
 /// Runs what is to be run, and tells of it.
 class Runner {
@@ -28,38 +39,37 @@ class Runner {
 
   /// First those that wait for no other, then those that wait for them.
   void run() {
-    settle(runs_, cache_);
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
-      if (runs_[k].done()) tell(k, "from the cache");
-      if (runs_[k].state == RunState::failed) tell(k, "failed: " + runs_[k].why);
-      if (runs_[k].state == RunState::left_out) tell(k, runs_[k].why);
-    }
-    run_those_to_run();
-    std::vector<std::size_t> waiting;
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-      if (runs_[k].state == RunState::waiting) waiting.push_back(k);
-    settle(runs_, cache_);
-    for (const std::size_t k : waiting)
-      if (runs_[k].done()) tell(k, "from the cache");
-    run_those_to_run();
+    do {
+      settle(runs_, cache_);
+      for (std::size_t k = 0; k < runs_.size(); ++k) {
+        const StudyRun& run = runs_[k];
+        if (run.done()) tell(k, "from the cache");
+        if (run.state == RunState::failed) tell(k, "failed: " + run.why);
+        if (run.state == RunState::left_out) tell(k, run.why);
+      }
+    } while (run_those_to_run());
     tell_total();
   }
 
  private:
-  void run_those_to_run() {
+  /// Whether there were any.
+  bool run_those_to_run() {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < runs_.size(); ++k)
       if (runs_[k].state == RunState::to_run) chosen.push_back(k);
-    if (chosen.empty()) return;
+    if (chosen.empty()) return false;
     const std::size_t jobs = std::min(options_.jobs, chosen.size());
     SweepOptions sweeping = options_.sweeping;
     sweeping.threads = std::max<std::size_t>(1, sweeping.threads / jobs);
     std::vector<Work> works;
     for (const std::size_t k : chosen)
       works.push_back([this, k, sweeping] {
-        cache_.store(runs_[k].file, key_of(runs_[k].task), analyse_task(runs_[k].task, sweeping));
+        const RunRecord record = analyse_task(runs_[k].task, sweeping);
+        require_same_files(runs_[k].task, record);
+        cache_.store(runs_[k].file, key_of(runs_[k].task), record);
       });
     run_in_processes(works, jobs, options_.sweeping.stop, [&](const WorkDone& done) { take(chosen[done.index], done); });
+    return true;
   }
 
   void take(std::size_t k, const WorkDone& done) {
@@ -71,8 +81,9 @@ class Runner {
     run.why = done.failure;
   }
 
+  /// Once of each run.
   void tell(std::size_t k, const std::string& what) {
-    options_.tell(fmt::format("[{}/{}] {}: {}", ++told_, runs_.size(), runs_[k].plan->name, what));
+    if (told_.insert(k).second) options_.tell(fmt::format("[{}/{}] {}: {}", told_.size(), runs_.size(), runs_[k].plan->name, what));
   }
 
   void tell_total() {
@@ -89,7 +100,8 @@ class Runner {
   const RunCache& cache_;
   const ReportOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::size_t told_ = 0, anew_ = 0;
+  std::set<std::size_t> told_;
+  std::size_t anew_ = 0;
 };
 
 /// All files that the report was made from.
@@ -127,7 +139,8 @@ std::string planned_report(const ReportOptions& options) {
   const fs::path place = without_slash(options.output);
   const StudyPlan plan = read_study(options.input);
   fs::current_path(plan.directory);
-  std::vector<StudyRun> runs = open_runs(plan, options.only);
+  FileHashes hashes(place / "cache" / hashes_name);
+  std::vector<StudyRun> runs = open_runs(plan, options.only, hashes);
   const RunCache cache(place / "cache");
   std::size_t width = 0;
   for (const StudyRun& run : runs) width = std::max(width, run.plan->name.size());
@@ -143,7 +156,9 @@ ReportDone make_report(const ReportOptions& options) {
   const StudyPlan plan = read_study(options.input);
   ReportDirectory directory(place);
   fs::current_path(plan.directory);
-  std::vector<StudyRun> runs = open_runs(plan, options.only);
+  FileHashes hashes(directory.cache() / hashes_name);
+  std::vector<StudyRun> runs = open_runs(plan, options.only, hashes);
+  hashes.save();
   const RunCache cache(directory.cache());
   Runner(runs, cache, options).run();
   ReportDone done;

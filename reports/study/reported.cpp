@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "reports/collision_summary.hpp"
+#include "reports/study/provenance.hpp"
 
 namespace mdana {
 namespace {
@@ -67,6 +68,19 @@ void add_scene(Table& table, Runs runs) {
     for (const std::size_t k : {0, 1, 2, 3})
       add_number(table, fmt::format("orientation_{}{}", "wxyz"[k], body + 1), {}, runs,
                  [&](const ReportedRun& r) { return orientation(r, body, k); });
+}
+
+/// The first file that a run was made from.
+std::string origin(const ReportedRun& run, const char* what) {
+  const auto inputs = run.document.find("inputs");
+  return inputs == run.document.end() || inputs->empty() ? std::string() : (*inputs)[0].value(what, "");
+}
+
+/// What a row was made from, and by what.
+void add_origin(Table& table, Runs runs) {
+  add_labels(table, "dump", runs, [](const ReportedRun& r) { return origin(r, "path"); });
+  add_labels(table, "dump_hash", runs, [](const ReportedRun& r) { return origin(r, "hash"); });
+  add_labels(table, "program", runs, [](const ReportedRun& r) { return r.measured() ? program_identity() : std::string(); });
 }
 
 /// Names of all numbers with their dimensions, in the order in which they come first.
@@ -153,6 +167,7 @@ Table runs_table(Runs runs) {
       return value ? value->error.value_or(unknown) : unknown;
     });
   }
+  add_origin(table, runs);
   return table;
 }
 

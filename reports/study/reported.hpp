@@ -28,8 +28,8 @@ struct ReportedRun {
   double velocity() const;                   ///< as generated, else as measured before contact; NaN if unknown
 };
 
-/// A row a run: name, group, interaction, state, outcome, radius, velocity, seed, orientations, and all
-/// published numbers with their errors. Dimensions are those of the numbers.
+/// A row a run: name, group, interaction, state, outcome, radius, velocity, seed, orientations, all
+/// published numbers with their errors, the dump, its hash, the program. Dimensions are those of the numbers.
 Table runs_table(std::span<const ReportedRun* const> runs);
 
 /// A row a group and velocity of spheres that bounced or stuck: RMS e, its error and spread, sticking

@@ -18,22 +18,22 @@ namespace fs = std::filesystem;
 
 constexpr double same_radius = 0.01;  ///< relative
 
-void add_files(const fs::path& name, std::vector<InputRecord>& files) {
+void add_files(const fs::path& name, FileHashes& hashes, std::vector<InputRecord>& files) {
   const auto set = find_file_set(name);
-  if (!set) return files.push_back(input_record(name));
+  if (!set) return files.push_back(hashes.record(name));
   for (const auto& pieces : *set)
-    for (const fs::path& piece : pieces) files.push_back(input_record(piece));
+    for (const fs::path& piece : pieces) files.push_back(hashes.record(piece));
 }
 
-void open(StudyRun& run, const StudySettings& settings) try {
+void open(StudyRun& run, const StudySettings& settings, FileHashes& hashes) try {
   const PlannedRun& plan = *run.plan;
   run.scene = load_scene(plan.scene);
   if (run.scene.dump.empty()) throw InputError(fmt::format("{}: the scene names no dump", plan.scene.string()));
   run.task = {plan.name, plan.scene, plan.scene.parent_path() / run.scene.dump, plan.log, plan.frames,
               settings.accuracy, settings.stability, settings.defects, {}, {}};
-  run.task.files.push_back(input_record(run.task.scene));
-  add_files(run.task.dump, run.task.files);
-  if (!run.task.log.empty()) run.task.files.push_back(input_record(run.task.log));
+  run.task.files.push_back(hashes.record(run.task.scene));
+  add_files(run.task.dump, hashes, run.task.files);
+  if (!run.task.log.empty()) run.task.files.push_back(hashes.record(run.task.log));
 } catch (const InputError& error) {
   run.state = RunState::failed;
   run.why = error.what();
@@ -77,7 +77,8 @@ void settle_one(std::vector<StudyRun>& runs, std::size_t index, const RunCache& 
     if (runs[k].state == RunState::failed || run.task.companion) continue;
     if (runs[k].done()) {
       run.task.companion = companion_of(runs[k], cache);
-    } else if (asked && runs[k].state != RunState::left_out) {
+    } else if (asked) {
+      if (runs[k].state == RunState::left_out) runs[k].state = RunState::to_run;
       run.state = RunState::waiting;
       run.why = "after " + runs[k].plan->name + ", whose E* and R it takes";
       return;
@@ -94,7 +95,7 @@ void settle_one(std::vector<StudyRun>& runs, std::size_t index, const RunCache& 
 
 }  // namespace
 
-std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only) {
+std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only, FileHashes& hashes) {
   const std::vector<std::string> files = file_names(plan);
   std::vector<StudyRun> runs(plan.runs.size());
   std::vector<std::string> names;
@@ -106,7 +107,7 @@ std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only) 
     any = any || wanted(plan.runs[k].name, only);
   }
   if (!any) throw InputError(fmt::format("--only {}: no run is called so; there are {}", only, fmt::join(names, ", ")));
-  for (StudyRun& run : runs) open(run, plan.settings);
+  for (StudyRun& run : runs) open(run, plan.settings, hashes);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     runs[k].partners = partners_of(runs, k);
     if (runs[k].state == RunState::to_run && !wanted(runs[k].plan->name, only)) runs[k].state = RunState::left_out;

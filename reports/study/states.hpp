@@ -7,6 +7,7 @@
 
 #include "readers/scene.hpp"
 #include "reports/study/cache.hpp"
+#include "reports/study/file_hashes.hpp"
 #include "reports/study/task.hpp"
 
 namespace mdana {
@@ -30,10 +31,11 @@ struct StudyRun {
 
 /// Runs with their files hashed. One that cannot be read is failed already. Paths count from the
 /// working directory. `only` as ReportOptions has it; throws InputError if no run is called so.
-std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only);
+std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only, FileHashes& hashes);
 
 /// Settles whether the result that the cache has is what a run would give; waiting: that depends on
-/// partners that are to be run. Left-out runs stay so unless their result is there.
+/// partners that are to be run. Left-out runs stay so unless their result is there, or one that is not left
+/// out waits for them.
 void settle(std::vector<StudyRun>& runs, const RunCache& cache);
 
 }  // namespace mdana

@@ -72,11 +72,6 @@ void list_left_out(const SphereRun& entry, Document& document) {
     case Interaction::unknown:
       document.left_out("Hertz fit, overlays", "the scene does not state a hertz or adhesive interaction");
   }
-  const ForceCurve& curve = entry.result.curve;
-  if (curve.outcome != Outcome::bounce)
-    document.left_out("coefficient of restitution",
-                      curve.outcome == Outcome::stick ? "the bodies stick: there is no speed after"
-                                                      : "the dump ends before the bodies separate");
   for (const ForceSource other : {ForceSource::forces, ForceSource::velocities, ForceSource::positions})
     if (other > entry.result.source)
       document.left_out(fmt::format("force from {}", name(other)),
