@@ -27,15 +27,19 @@ std::string state_of(const std::filesystem::path& file) {
 
 FileHashes::FileHashes(const std::filesystem::path& place) : place_(place) {
   std::ifstream stream(place_);
-  auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
-  if (json.is_object()) known_ = std::move(json);
+  const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
+  if (!json.is_object()) return;
+  for (const auto& [name, entry] : json.items())
+    if (entry.is_object() && entry.contains("state") && entry.contains("size") && entry["size"].is_number_unsigned() &&
+        entry.contains("hash") && entry["hash"].is_string())
+      known_[name] = entry;
 }
 
 InputRecord FileHashes::record(const std::filesystem::path& file) {
   const std::string state = state_of(file), name = std::filesystem::absolute(file).string();
   const auto known = known_.find(name);
-  if (!state.empty() && known != known_.end() && known->is_object() && known->value("state", "") == state)
-    return {file.string(), known->value("size", std::uint64_t{0}), known->value("hash", "")};
+  if (!state.empty() && known != known_.end() && (*known)["state"] == state)
+    return {file.string(), (*known)["size"].get<std::uint64_t>(), (*known)["hash"].get<std::string>()};
   InputRecord record = input_record(file);
   if (!state.empty() && state == state_of(file))
     known_[name] = {{"state", state}, {"size", record.size}, {"hash", record.hash}};

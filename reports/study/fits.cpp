@@ -46,7 +46,7 @@ void give_constants(const ReportedRun& run, ObservedCollision& seen) {
   const auto give = [&](const char* name, double value) {
     if (value > 0 && !seen.find(name)) seen.given.push_back({name, value});
   };
-  give("E", run.document.value("/overlay/E_star"_json_pointer, 0.0));
+  give("E", run.document.value("/constants/E_star"_json_pointer, 0.0));
   give("gamma", run.scene.surface_energy.value_or(0));
   give("nu", run.scene.poisson_ratio.value_or(0));
   const Value* spacing = run.number("contact_radius.spacing");

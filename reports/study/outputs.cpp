@@ -112,7 +112,7 @@ class Report {
     for (const ReportedRun& run : reported_) pointers_.push_back(&run);
   }
 
-  std::string write() {
+  WrittenReport write() {
     for (const char* folder : {"figures", "tables", "runs"}) fs::create_directory(directory_ / folder);
     write_runs();
     StudyHdf5 hdf5(directory_ / "results.h5");
@@ -127,10 +127,16 @@ class Report {
     write_file(directory_ / "results.json", json);
     write_file(directory_ / "results.csv", to_csv(runs_table(pointers_)));
     write_file(directory_ / "index.html", study_page({plan_.title, place(), sections_, pooled_, fits_, left_out_}));
-    return json;
+    return {json, std::ranges::any_of(reported_, is_damaged)};
   }
 
  private:
+  static bool is_damaged(const ReportedRun& run) {
+    return run.measured() && std::ranges::any_of(run.document["warnings"], [](const Json& warning) {
+             return warning.get<std::string>().starts_with("damaged input");
+           });
+  }
+
   fs::path place_of(const ReportedRun& run) const { return directory_ / "runs" / run.file; }
   std::string place() const { return (plan_.file.empty() ? plan_.directory : plan_.file).string(); }
 
@@ -227,7 +233,7 @@ class Report {
 
 }  // namespace
 
-std::string write_report(const StudyPlan& plan, const std::vector<StudyRun>& runs, const RunCache& cache,
+WrittenReport write_report(const StudyPlan& plan, const std::vector<StudyRun>& runs, const RunCache& cache,
                          const fs::path& directory, const ReportOptions& options) {
   return Report(plan, runs, cache, directory, options).write();
 }

@@ -10,9 +10,14 @@
 
 namespace mdana {
 
+struct WrittenReport {
+  std::string json;      ///< results.json
+  bool damaged = false;  ///< some input was
+};
+
 /// Writes all files of a report into a directory, from the records in the cache alone: page, documents,
-/// tables, figures. Gives results.json. Of `options`, jobs and stop count.
-std::string write_report(const StudyPlan& plan, const std::vector<StudyRun>& runs, const RunCache& cache,
+/// tables, figures. Of `options`, jobs and stop count.
+WrittenReport write_report(const StudyPlan& plan, const std::vector<StudyRun>& runs, const RunCache& cache,
                          const std::filesystem::path& directory, const ReportOptions& options);
 
 }  // namespace mdana

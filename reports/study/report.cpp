@@ -115,13 +115,6 @@ std::vector<InputRecord> inputs_of(const StudyPlan& plan, const std::vector<Stud
   return inputs;
 }
 
-bool is_damaged(const StudyRun& run, const RunCache& cache) {
-  if (!run.done()) return false;
-  const nlohmann::ordered_json document = cache.load(run.file).document;
-  return std::ranges::any_of(document.value("warnings", nlohmann::ordered_json::array()),
-                             [](const auto& w) { return w.template get<std::string>().starts_with("damaged input"); });
-}
-
 const char* in_words(RunState state) {
   switch (state) {
     case RunState::cached: return "cached";
@@ -161,14 +154,13 @@ ReportDone make_report(const ReportOptions& options) {
   hashes.save();
   const RunCache cache(directory.cache());
   Runner(runs, cache, options).run();
-  ReportDone done;
-  done.json = write_report(plan, runs, cache, directory.fresh(), options);
+  WrittenReport written = write_report(plan, runs, cache, directory.fresh(), options);
+  ReportDone done{std::move(written.json), {}, written.damaged};
   directory.commit({{"directory", plan.directory.string()}}, inputs_of(plan, runs));
   std::vector<std::string> names;
   for (const StudyRun& run : runs) {
     names.push_back(run.file);
     if (run.state == RunState::failed) done.failures.push_back(fmt::format("{}: {}", run.plan->name, run.why));
-    done.damaged = done.damaged || is_damaged(run, cache);
   }
   if (options.only.empty()) cache.keep_only(names);
   return done;

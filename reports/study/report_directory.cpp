@@ -58,17 +58,17 @@ Json records_json(const std::vector<InputRecord>& records) {
   return list;
 }
 
-/// Files that an earlier report wrote; none if there is no manifest.
-std::vector<fs::path> earlier_files(const fs::path& place) {
+/// Files that an earlier report wrote; none if there is no manifest, or it is not one.
+std::vector<fs::path> earlier_files(const fs::path& place) try {
   std::ifstream stream(place / manifest_name);
-  const Json manifest = Json::parse(stream, nullptr, false);
   std::vector<fs::path> files;
-  if (!manifest.is_object() || !manifest.contains("outputs")) return files;
-  for (const Json& output : manifest["outputs"]) {
-    const fs::path path = output.value("path", "");
+  for (const Json& output : Json::parse(stream).at("outputs")) {
+    const fs::path path = output.at("path").get<std::string>();
     if (path.is_relative() && std::ranges::find(path, "..") == path.end()) files.push_back(path);
   }
   return files;
+} catch (const Json::exception&) {
+  return {};
 }
 
 }  // namespace

@@ -151,6 +151,11 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
   const Overlay constants = constants_of(entry, task.companion);
   RunRecord record;
   record.tables.push_back({"frames", add_collision(document, run, entry.result, constants.contact, sweeping, false)});
+  if (constants.contact.modulus > 0)
+    document.json("constants", {{"E_star", constants.contact.modulus},
+                                {"R_star", constants.contact.radius},
+                                {"gamma", constants.contact.surface_energy},
+                                {"source", constants.source}});
   choose_overlay(entry, constants, document);
   list_left_out(entry, document);
   add_drawn_columns(record.tables[0].table, entry);
@@ -163,11 +168,7 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
     record.tables.push_back({"defects", structure_table(*entry.result.defects)});
   }
   if (entry.overlay)
-    document.json("overlay", {{"law", entry.overlay->law->name},
-                              {"R_star", entry.overlay->contact.radius},
-                              {"E_star", entry.overlay->contact.modulus},
-                              {"gamma", entry.overlay->contact.surface_energy},
-                              {"source", entry.overlay->source}});
+    document.json("overlay", {{"law", entry.overlay->law->name}, {"source", entry.overlay->source}});
   if (task.accuracy) entry.accuracy = accuracy_rows(run, entry.result, sweeping);
   if (task.stability) entry.stability = stability_rows(run, entry.result, sweeping);
   document.json("accuracy", accuracy_json(entry.accuracy));

@@ -33,18 +33,17 @@ std::size_t compare(const Json& records, const fs::path& directory, const char* 
 
 }  // namespace
 
-Verified verify_report(const fs::path& output) {
+Verified verify_report(const fs::path& output) try {
   std::ifstream stream(output / manifest_name);
-  const Json manifest = Json::parse(stream, nullptr, false);
-  if (!manifest.is_object() || !manifest.contains("inputs") || !manifest.contains("outputs") ||
-      !manifest["inputs"].is_array() || !manifest["outputs"].is_array())
-    throw InputError(fmt::format("{}: No such file, or not the manifest of a report; mdana report writes it last",
-                                 (output / manifest_name).string()));
+  if (!stream) throw InputError(fmt::format("{}: No such file or directory; mdana report writes it last", (output / manifest_name).string()));
+  const Json manifest = Json::parse(stream);
+  const fs::path study = manifest.at("study").at("directory").get<std::string>();
   Verified verified;
-  const fs::path study = manifest.value("/study/directory"_json_pointer, "");
-  verified.inputs = compare(manifest["inputs"], study, "input", verified.changes);
-  verified.outputs = compare(manifest["outputs"], output, "output", verified.changes);
+  verified.inputs = compare(manifest.at("inputs"), study, "input", verified.changes);
+  verified.outputs = compare(manifest.at("outputs"), output, "output", verified.changes);
   return verified;
+} catch (const Json::exception&) {
+  throw InputError(fmt::format("{}: not the manifest of a report", (output / manifest_name).string()));
 }
 
 }  // namespace mdana
