@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -97,6 +98,14 @@ double least_drawn(const Table& table, const std::vector<double>& x) {
   return least <= most ? least - 0.15 * (most - least) : -std::numeric_limits<double>::infinity();
 }
 
+/// A law is drawn once, not to and fro with the motion.
+void sort_by_x(Series& series) {
+  std::vector<std::pair<double, double>> drawn;
+  for (std::size_t i = 0; i < series.x.size(); ++i) drawn.emplace_back(series.x[i], series.y[i]);
+  std::ranges::sort(drawn);
+  for (std::size_t i = 0; i < drawn.size(); ++i) std::tie(series.x[i], series.y[i]) = drawn[i];
+}
+
 bool has_numbers(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double v) { return std::isfinite(v); });
 }
@@ -140,6 +149,7 @@ std::vector<Series> series_of(const FigureKind& kind, const Table& table, const 
       if (!errors.empty()) series.y_error.push_back(errors[i]);
     }
     if (y.style != points) series.y_error.clear();
+    if (y.style == dashed) sort_by_x(series);
     all.push_back(std::move(series));
   }
   return all;

@@ -24,15 +24,22 @@ void add_options(Options& options) {
       ("title", po::value<std::string>()->value_name("TEXT"), "instead of what the kind shows");
 }
 
+/// Where a report has the table that a kind draws.
+std::string file_of(const FigureKind& kind) {
+  if (kind.scope == FigureScope::frames) return fmt::format("runs/NAME/{}.csv", kind.table);
+  const bool rows = kind.table == "runs" || kind.table == "aggregates";
+  return rows ? "results.csv" : fmt::format("tables/{}.csv", kind.table);
+}
+
 std::string listed() {
   std::string text;
   for (const FigureKind& kind : figure_kinds()) {
     std::vector<std::string_view> columns;
     for (const DrawnColumn& y : kind.y) columns.push_back(y.column);
     text += fmt::format("{:<20}{} ({})\n", kind.name, kind.summary, kind.papers);
-    if (!kind.table.empty()) text += fmt::format("{:<20}{}: {} against {}\n", "", kind.table, fmt::join(columns, ", "), kind.x.column);
+    if (!kind.table.empty()) text += fmt::format("{:<20}{}: {} against {}\n", "", file_of(kind), fmt::join(columns, ", "), kind.x.column);
   }
-  return text;
+  return text + "P1: Yoshida, Kokubo & Tanaka 2024; P2: Arakawa et al. 2024\n";
 }
 
 const FigureKind& kind_of(const std::string& name) {

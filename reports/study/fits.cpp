@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -72,27 +72,6 @@ bool given_in(const std::vector<ObservedCollision>& seen, const std::string& nam
   return std::ranges::any_of(seen, [&](const ObservedCollision& s) { return s.find(name).has_value(); });
 }
 
-/// e against velocity by a law with what was found, from half the least velocity that was seen to half as much
-/// again as the greatest; other numbers are those of the first collision.
-Series fitted_curve(const CollisionLaw& law, const std::string& label, const std::vector<ObservedCollision>& seen,
-                    const ContactFit& fit) {
-  constexpr int points = 60;
-  Series series{label, {}, {}, Series::Style::dashed, {}};
-  std::vector<NamedNumber> found;
-  for (const Estimate& p : fit.parameters) found.push_back({p.name, p.value});
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  for (const ObservedCollision& s : seen) least = std::min(least, *s.find("v")), greatest = std::max(greatest, *s.find("v"));
-  ObservedCollision one = seen.front();
-  const auto velocity = std::ranges::find(one.given, "v", &NamedNumber::name);
-  for (int i = 0; i <= points; ++i) {
-    velocity->value = 0.5 * least + (1.5 * greatest - 0.5 * least) * i / points;
-    const Collision c = collide(law, input_of(law, one, found));
-    series.x.push_back(velocity->value);
-    series.y.push_back(c.e);
-  }
-  return series;
-}
-
 void fit_law(const CollisionLaw& law, const std::string& group, const std::vector<ObservedCollision>& seen, StudyFits& fits) {
   const std::string what = fmt::format("law {} of group '{}'", law.name, group);
   ContactFitSettings settings;
@@ -109,7 +88,7 @@ void fit_law(const CollisionLaw& law, const std::string& group, const std::vecto
     document.text("group", group);
     add_contact_fit(document, law, settings, seen, fit);
     fits.laws.push_back(document.content());
-    if (fit.usable) fits.restitution.push_back(fitted_curve(law, fmt::format("{}, {}", law.name, group), seen, fit));
+    if (fit.usable) std::ranges::move(curves_of(law, group, seen, fit), std::back_inserter(fits.curves));
   } catch (const InputError& error) {
     fits.left_out.push_back({what, error.what()});
   }
@@ -148,7 +127,7 @@ void add_filling(const CompressionStudy& study, double phi, Table& fillings) {
   fillings.add_row(row);
 }
 
-void fit_aggregates(std::vector<CompressedRun> runs, StudyFits& fits) {
+void fit_aggregates(std::vector<CompressedRun> runs, const std::map<std::string, std::string>& groups, StudyFits& fits) {
   Table fillings({{"phi", {}}, {"E_star", dimension::pressure}, {"E_star_error", dimension::pressure},
                   {"Y", dimension::pressure}, {"Y_error", dimension::pressure}});
   for (std::vector<CompressedRun>& together : by_filling(std::move(runs))) {
@@ -164,6 +143,7 @@ void fit_aggregates(std::vector<CompressedRun> runs, StudyFits& fits) {
       if (phi) document.json("phi", *phi);
       add_compression_study(document, study);
       fits.aggregates.push_back(document.content());
+      std::ranges::move(curves_of(study, groups), std::back_inserter(fits.curves));
       if (phi) add_filling(study, *phi, fillings);
     } catch (const InputError& error) {
       fits.left_out.push_back({what, error.what()});
@@ -183,7 +163,9 @@ StudyFits fit_study(Runs runs, std::vector<CompressedRun> aggregates, const Stud
     fits.left_out.push_back({"E* against R", error.what()});
   }
   fit_laws(runs, settings.laws, fits);
-  if (settings.aggregates) fit_aggregates(std::move(aggregates), fits);
+  std::map<std::string, std::string> groups;
+  for (const ReportedRun* run : runs) groups[run->name] = run->group;
+  if (settings.aggregates) fit_aggregates(std::move(aggregates), groups, fits);
   return fits;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "reports/compressed.hpp"
-#include "reports/figure.hpp"
 #include "reports/study.hpp"
+#include "reports/study/law_curves.hpp"
 #include "reports/study/reported.hpp"
 
 namespace mdana {
@@ -23,7 +23,7 @@ struct StudyFits {
   nlohmann::ordered_json laws;         ///< a document a group and law
   nlohmann::ordered_json aggregates;   ///< a document a filling factor
   std::vector<NamedTable> tables;      ///< "sizes", "fillings"
-  std::vector<Series> restitution;     ///< e(v) of the fitted laws
+  std::vector<LawCurve> curves;        ///< of fitted laws
   std::vector<LeftOut> left_out;
 };
 

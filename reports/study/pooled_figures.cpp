@@ -42,6 +42,13 @@ std::vector<const ReportedRun*> of_units(Runs runs, Units units) {
   return all;
 }
 
+/// What fitted laws say, if the figure has something measured beside it.
+void add_curves(std::string_view kind, const std::string& group, const StudyFits& fits, Figure& figure) {
+  if (figure.series.empty()) return;
+  for (const LawCurve& curve : fits.curves)
+    if (curve.kind == kind && curve.group == group) figure.series.push_back(curve.series);
+}
+
 /// The table of all runs that a kind draws.
 Table table_of(const FigureKind& kind, Runs runs) {
   if (kind.table == "velocities") return velocities_table(runs);
@@ -90,8 +97,7 @@ void PooledFigures::finish_points(const FigureKind& kind, Runs runs, const Study
     for (const std::string& group : groups->labels)
       for (Series& series : series_of(kind, rows_with(table, "group", group), group))
         figure.series.push_back(std::move(series));
-    if (kind.name == "restitution")
-      for (const Series& fitted : fits.restitution) figure.series.push_back(fitted);
+    add_curves(kind.name, "", fits, figure);
     figure.alt = told(kind, "", figure.series);
     finished_[std::string(kind.name)].push_back(std::move(figure));
   }
@@ -101,6 +107,7 @@ std::vector<Figure> PooledFigures::finish(Runs runs, const StudyFits& fits) {
   for (auto& [kind, groups] : curves_)
     for (auto& [group, curves] : groups) {
       for (Series& law : curves.laws) curves.figure.series.push_back(std::move(law));
+      add_curves(kind, group, fits, curves.figure);
       curves.figure.alt = told(*find_figure_kind(kind), " of " + group, curves.figure.series);
       finished_[kind].push_back(std::move(curves.figure));
     }

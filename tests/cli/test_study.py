@@ -456,6 +456,15 @@ class Together(Case):
         self.mdana("report", runs / "study.toml", "-o", out)
         return parse_json((out / "results.json").read_text(encoding="utf-8"))
 
+    def drawn(self, figure, column):
+        """Points by series."""
+        table = running.read_csv(self.dir / "report" / "figures" / f"{figure}.csv")
+        x = list(table)[1]
+        series = {}
+        for label, *point in zip(table["series"], table[x], table[column]):
+            series.setdefault(label, []).append(tuple(point))
+        return series
+
     def test_hertz_runs_of_one_size(self):
         for k in range(3):
             self.add_run(f"hertz{k}", dumps.hertz_bounce(modulus=60, radius=5, frames=41 + 4 * k), "hertz", 5.0, 0.1)
@@ -494,6 +503,9 @@ class Together(Case):
         self.assertEqual(len(fits), 1, fits)
         self.assertTrue(fits[0]["usable"], fits[0]["reason"])
         self.assertAlmostEqual(fits[0]["parameters"]["gamma"]["value"], gamma, delta=1e-4 * gamma)
+        drawn = self.drawn("restitution", "e_rms")["jkr, adhesive, R = 5"]
+        for v, e in drawn:
+            self.assertAlmostEqual(e, max(0, 1 - 2 * loss / (mass * v**2))**0.5, delta=2e-4 / max(e, 0.05))
 
     def test_aggregates_are_those_of_mdana_compress(self):
         """The same documents to the last bit, although the report has them from its cache; Andrews' constants come back."""
@@ -513,6 +525,24 @@ class Together(Case):
         self.assertAlmostEqual(together["Y"]["value"], strength, delta=1e-3)
         fillings = running.read_csv(self.dir / "report" / "tables" / "fillings.csv")
         self.assertEqual((fillings["phi"], fillings["Y"]), ([0.5], [together["Y"]["value"]]))
+        measured = self.drawn("delta-max-velocity", "delta_max_over_R_eff")
+        law = measured.pop("Andrews")
+        self.assertEqual(set(measured) & {"elastic limit", "rigid plastic limit"}, {"elastic limit", "rigid plastic limit"})
+        for v, delta in measured["aggregate, phi = 0.5, R = 20"]:
+            (v0, d0), (v1, d1) = [(a, b) for a, b in zip(law, law[1:]) if a[0] <= v <= b[0]][0]
+            self.assertAlmostEqual(d0 + (d1 - d0) * (v - v0) / (v1 - v0), delta, delta=1e-3)
+        motion = self.drawn("approach-speed-aggregate_phi_0_5_R_20", "v_rel")
+        [(_, one)] = [entry for entry in motion.items() if entry[0].startswith("v0.3 ")]
+        model = motion["Andrews"]
+        self.assertAlmostEqual(min(model)[1], 0.3, delta=1e-3)
+        compared = 0
+        for t, speed in one:  # that of the first collision, of which the law was made
+            near = [(a, b) for a, b in zip(model, model[1:]) if a[0] <= t <= b[0]]
+            if near:
+                (t0, s0), (t1, s1) = near[0]
+                self.assertAlmostEqual(s0 + (s1 - s0) * (t - t0) / (t1 - t0 or 1), speed, delta=3e-3)
+                compared += 1
+        self.assertGreater(compared, 100)
 
 
 @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
