@@ -48,7 +48,7 @@ class Pass {
     if (velocities_)
       result_.energy = measure_energy(run_, result_.measured, result_.measured.swept.tables[result_.contact_tables + 2],
                                       result_.radii, wishes_.potential);
-    if (wishes_.defects) take_defects();
+    if (result_.defects) take_defects();
   }
 
  private:
@@ -60,6 +60,7 @@ class Pass {
   }
 
   void plan_defects() {
+#ifdef MDANA_WITH_DEFECTS
     result_.defects.emplace();
     DefectSettings settings;
     settings.ids = run_.first.has_column("id");
@@ -67,6 +68,7 @@ class Pass {
       result_.defects->planes.push_back(found.planes);
     };
     analyses_.push_back(make_defects(std::move(settings)));
+#endif
   }
 
   void take_defects() {

@@ -23,7 +23,7 @@ struct RunWishes {
   PotentialOptions potential;
   bool hertz = false;     ///< Hertz fit
   bool energies = false;  ///< and how far the far sides reach; if the dump has velocities
-  bool defects = false;   ///< crystal structure of every frame
+  bool defects = false;   ///< crystal structure of every frame, if this build has it
 };
 
 /// Everything that is known of a collision from one pass over the dump.

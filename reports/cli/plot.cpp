@@ -37,7 +37,8 @@ std::string listed() {
     std::vector<std::string_view> columns;
     for (const DrawnColumn& y : kind.y) columns.push_back(y.column);
     text += fmt::format("{:<20}{} ({})\n", kind.name, kind.summary, kind.papers);
-    if (!kind.table.empty()) text += fmt::format("{:<20}{}: {} against {}\n", "", file_of(kind), fmt::join(columns, ", "), kind.x.column);
+    if (!kind.table.empty())
+      text += fmt::format("{:<20}{}: {} against {}\n", "", file_of(kind), fmt::join(columns, ", "), kind.x.column);
   }
   return text + "P1: Yoshida, Kokubo & Tanaka 2024; P2: Arakawa et al. 2024\n";
 }

@@ -106,8 +106,7 @@ class Report {
  public:
   Report(const StudyPlan& plan, const std::vector<StudyRun>& runs, const RunCache& cache, fs::path directory,
          const ReportOptions& options)
-      : plan_(plan), runs_(runs), cache_(cache), directory_(std::move(directory)), options_(options),
-        figures_(plan.settings.figures) {
+      : plan_(plan), cache_(cache), directory_(std::move(directory)), options_(options), figures_(plan.settings.figures) {
     for (const StudyRun& run : runs) reported_.push_back(reported(run));
     for (const ReportedRun& run : reported_) pointers_.push_back(&run);
   }
@@ -210,14 +209,14 @@ class Report {
     json["laws"] = fits_.laws;
     json["aggregates"] = fits_.aggregates;
     json["figures"] = Json::array();
-    for (const DrawnFigure& figure : pooled_) json["figures"].push_back({{"name", figure.name}, {"table", "figures/" + figure.name + ".csv"}, {"shows", figure.alt}});
+    for (const DrawnFigure& figure : pooled_)
+      json["figures"].push_back({{"name", figure.name}, {"table", "figures/" + figure.name + ".csv"}, {"shows", figure.alt}});
     json["left_out"] = left_out_json(fits_.left_out);
     for (const Json& l : left_out_json(left_out_)) json["left_out"].push_back(l);
     return json;
   }
 
   const StudyPlan& plan_;
-  const std::vector<StudyRun>& runs_;
   const RunCache& cache_;
   fs::path directory_;
   const ReportOptions& options_;

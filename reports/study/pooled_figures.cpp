@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ void PooledFigures::add(const ReportedRun& run, const RunRecord& record) {
     if (kind.scope != FigureScope::frames || !wants(kind)) continue;
     const Table* table = record.table(kind.table);
     if (!table || !can_draw(kind, *table)) continue;
-    const auto [at, fresh] = curves_[std::string(kind.name)].try_emplace(run.group);
+    const auto [at, fresh] = curves_[std::string(kind.name)].try_emplace({run.group, run.units()});
     Curves& curves = at->second;
     if (fresh) {
       curves.figure = empty_figure(kind, run.units());
@@ -107,8 +108,8 @@ std::vector<Figure> PooledFigures::finish(Runs runs, const StudyFits& fits) {
   for (auto& [kind, groups] : curves_)
     for (auto& [group, curves] : groups) {
       for (Series& law : curves.laws) curves.figure.series.push_back(std::move(law));
-      add_curves(kind, group, fits, curves.figure);
-      curves.figure.alt = told(*find_figure_kind(kind), " of " + group, curves.figure.series);
+      add_curves(kind, group.first, fits, curves.figure);
+      curves.figure.alt = told(*find_figure_kind(kind), " of " + group.first, curves.figure.series);
       finished_[kind].push_back(std::move(curves.figure));
     }
   std::vector<Figure> all;

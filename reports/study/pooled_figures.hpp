@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/figure_kinds.hpp"
@@ -34,8 +35,9 @@ class PooledFigures {
   void finish_points(const FigureKind& kind, std::span<const ReportedRun* const> runs, const StudyFits& fits);
 
   std::vector<std::string> wanted_;
-  std::map<std::string, std::map<std::string, Curves>> curves_;  ///< by kind, then by group
-  std::map<std::string, std::vector<Figure>> finished_;          ///< by kind
+  using Group = std::pair<std::string, Units>;
+  std::map<std::string, std::map<Group, Curves>> curves_;  ///< by kind
+  std::map<std::string, std::vector<Figure>> finished_;    ///< by kind
   std::vector<LeftOut> left_out_;
 };
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,6 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// A process that was killed holds the lock until its children have seen that.
+constexpr int tries = 50;
+constexpr std::chrono::milliseconds between_tries{20};
+
 bool is_report(const fs::path& directory) {
   return fs::exists(directory / report_marker) ||
          (fs::is_regular_file(directory / "index.html") && fs::is_regular_file(directory / "results.json"));
@@ -39,7 +45,10 @@ int locked(const fs::path& place) {
   const fs::path marker = place / report_marker;
   const int lock = ::open(marker.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) throw std::runtime_error(fmt::format("{}: {}", marker.string(), std::strerror(errno)));
-  if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
+  for (int k = 0; k < tries; ++k) {
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
+    std::this_thread::sleep_for(between_tries);
+  }
   ::close(lock);
   throw InputError(fmt::format("{}: another mdana report is writing there; wait for it, or choose another -o", place.string()));
 }

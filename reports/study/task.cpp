@@ -80,6 +80,8 @@ void list_left_out(const SphereRun& entry, Document& document) {
       document.left_out(fmt::format("force from {}", name(other)), "not in the dump");
 }
 
+#ifdef MDANA_WITH_DEFECTS
+
 /// Crystal structure: where defects begin, what is left of them, and the first and last frame.
 void add_structure(const DefectHistory& history, Document& document) {
   Document defects("defects");
@@ -104,6 +106,17 @@ Table structure_table(const DefectHistory& history) {
   table.add_column({"non_fcc", dimension::none}, std::move(share));
   return table;
 }
+
+void add_defects_to(RunRecord& record, const DefectHistory& history, Document& document) {
+  add_structure(history, document);
+  record.tables.push_back({"defects", structure_table(history)});
+}
+
+#else
+
+void add_defects_to(RunRecord&, const DefectHistory&, Document&) {}
+
+#endif
 
 std::vector<double> sum_of(const Table& table, const char* first, const char* second) {
   std::vector<double> sum;
@@ -163,10 +176,7 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
     add_hertz(document, run, *entry.result.hertz);
     record.tables.push_back({"fit", hertz_table(*entry.result.hertz, entry.result.curve)});
   }
-  if (entry.result.defects) {
-    add_structure(*entry.result.defects, document);
-    record.tables.push_back({"defects", structure_table(*entry.result.defects)});
-  }
+  if (entry.result.defects) add_defects_to(record, *entry.result.defects, document);
   if (entry.overlay)
     document.json("overlay", {{"law", entry.overlay->law->name}, {"source", entry.overlay->source}});
   if (task.accuracy) entry.accuracy = accuracy_rows(run, entry.result, sweeping);

@@ -35,7 +35,9 @@ std::size_t compare(const Json& records, const fs::path& directory, const char* 
 
 Verified verify_report(const fs::path& output) try {
   std::ifstream stream(output / manifest_name);
-  if (!stream) throw InputError(fmt::format("{}: No such file or directory; mdana report writes it last", (output / manifest_name).string()));
+  if (!stream)
+    throw InputError(fmt::format("{}: No such file or directory; mdana report writes it last",
+                                 (output / manifest_name).string()));
   const Json manifest = Json::parse(stream);
   const fs::path study = manifest.at("study").at("directory").get<std::string>();
   Verified verified;

@@ -49,6 +49,8 @@ std::string reason_of(const Work& work) {
 [[noreturn]] void be_worker(const Work& work, int pipe, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(EXIT_FAILURE);  // it was killed before that
+  ::close_range(STDERR_FILENO + 1, static_cast<unsigned>(pipe) - 1, 0);  // files of the parent, and its locks
+  ::close_range(static_cast<unsigned>(pipe) + 1, ~0u, 0);
   const std::string reason = reason_of(work).substr(0, most_told);
   if (reason.empty()) ::_exit(EXIT_SUCCESS);
   const auto written = ::write(pipe, reason.data(), reason.size());

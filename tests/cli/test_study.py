@@ -260,6 +260,12 @@ class Stops(Study):
         return subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out), "--jobs", "1"],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
+    def wait_for_cache(self):
+        """Until the process that was started has its output."""
+        deadline = time.monotonic() + running.SECONDS
+        while not (self.out / "cache").exists() and time.monotonic() < deadline:
+            time.sleep(0.001)
+
     def test_killed_at_any_moment_it_goes_on(self):
         """Bytes are those of an uninterrupted report, whenever it is killed: before, within and after the first run, while
         the page is written."""
@@ -287,7 +293,7 @@ class Stops(Study):
         self.study(stability=True, accuracy=True)
         process = subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out)],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.1)
+        self.wait_for_cache()
         process.send_signal(signal.SIGTERM)
         _, error = process.communicate(timeout=running.SECONDS)
         self.assertEqual(process.returncode, 75, error)
@@ -298,9 +304,7 @@ class Stops(Study):
         self.study(stability=True, accuracy=True)
         first = self.start()
         try:
-            deadline = time.monotonic() + running.SECONDS
-            while not (self.out / "cache").exists() and time.monotonic() < deadline:
-                time.sleep(0.001)
+            self.wait_for_cache()
             second = run("report", self.runs / "study.toml", "-o", self.out)
             self.assertEqual(second.returncode, 1)
             self.assertIn("another mdana report", second.stderr)
