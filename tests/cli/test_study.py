@@ -358,7 +358,7 @@ class Outputs(Study):
         self.study(defects=True, figures=True)
         self.report()
         results = self.results()
-        kinds = {line.split()[0] for line in self.mdana("plot", "--list").stdout.splitlines() if not line.startswith(" ")}
+        kinds = {line.split()[0] for line in self.mdana("plot", "--list").stdout.splitlines() if not line.startswith((" ", "P1: "))}
         drawn = {figure["name"] for figure in results["figures"]}
         left_out = {entry["what"].split()[1] for entry in results["left_out"] if entry["what"].startswith("figure ")}
         for kind in kinds:
