@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
 #include "analyses/compression.hpp"
 #include "reports/analysed_run.hpp"
 #include "reports/compressed.hpp"

@@ -2,7 +2,6 @@
 #include "reports/study/fits.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 

@@ -2,7 +2,7 @@
 #include "reports/study/outputs.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>

@@ -343,6 +343,14 @@ class Outputs(Study):
         for name in ("F_max", "hysteresis_area", "far_side", "outcome"):
             self.assertEqual(documents["adhesive-tiny"][name], single[name], name)
 
+    def test_any_number_of_jobs_and_threads(self):
+        self.study()
+        self.report("--jobs", 1, "--threads", 1)
+        one = self.files(self.out)
+        other = self.dir / "other"
+        self.report("--jobs", 3, "--threads", 4, "--memory", 1, out=other)
+        self.assertEqual(self.files(other), one)
+
     def test_provenance(self):
         self.study()
         self.report()
