@@ -7,6 +7,8 @@
 
 #include "page_style.hpp"
 #include "reports/html.hpp"
+#include "reports/live_figure.hpp"
+#include "reports/page_script.hpp"
 #include "reports/study_figures.hpp"
 #include "reports/version.hpp"
 
@@ -78,11 +80,7 @@ std::string fit_sentence(const StudyRun& entry) {
 
 std::string drawn(const std::vector<Figure>& figures, const std::filesystem::path& directory) {
   std::string content;
-  for (const Figure& figure : figures) {
-    const std::string svg = draw(figure, directory);
-    content += svg.empty() ? paragraph("No picture: gnuplot is not installed. " + figure.alt)
-                           : html::picture(svg, figure.alt, figure.alt);
-  }
+  for (const Figure& figure : figures) content += live_figure(figure, draw(figure, directory));
   return element("div", content, "class=\"figures\"");
 }
 
@@ -200,6 +198,13 @@ std::string left_out_section(const Study& study) {
   return text + html::table({"run", "left out", "because"}, rows, 3);
 }
 
+std::vector<std::string> run_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const StudyRun& entry : study.runs) names.push_back(entry.name);
+  for (const AggregateRun& entry : study.aggregates) names.push_back(entry.name);
+  return names;
+}
+
 }  // namespace
 
 std::string study_page(const Study& study, const std::filesystem::path& figures) {
@@ -208,11 +213,13 @@ std::string study_page(const Study& study, const std::filesystem::path& figures)
   body += element("p", escape(fmt::format("{} · mdana {}", study.directory.string(), version)),
                   "class=\"quiet\"");
   if (!study.runs.empty()) body += summary_table(study);
-  for (const StudyRun& entry : study.runs) body += run_section(entry, figures);
-  for (const AggregateRun& entry : study.aggregates) body += aggregate_section(entry, figures);
+  for (const StudyRun& entry : study.runs)
+    body += html::section_of(entry.name, run_section(entry, figures));
+  for (const AggregateRun& entry : study.aggregates)
+    body += html::section_of(entry.name, aggregate_section(entry, figures));
   body += aggregates_section(study);
   body += accuracy_section(study, figures) + stability_section(study) + left_out_section(study);
-  return html::page("Contact mechanics", page_style, body);
+  return html::page("Contact mechanics", page_style, body + page_data(run_names(study)), page_script);
 }
 
 }  // namespace mdana
