@@ -8,6 +8,17 @@
 namespace mdana::html {
 namespace {
 
+/// The source expression of CSP for a text known by its hash.
+std::string policy_source(const Trusted& trusted) {
+  if (trusted.text.empty()) return "'none'";
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < trusted.sha256.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(trusted.sha256.substr(i, 2)), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+}  // namespace
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -21,17 +32,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-/// The source expression of CSP for a text known by its hash.
-std::string policy_source(const Trusted& trusted) {
-  if (trusted.text.empty()) return "'none'";
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < trusted.sha256.size(); i += 2)
-    bytes += static_cast<char>(std::stoi(std::string(trusted.sha256.substr(i, 2)), nullptr, 16));
-  return "'sha256-" + base64(bytes) + "'";
-}
-
-}  // namespace
 
 std::string escape(std::string_view text) {
   std::string result;

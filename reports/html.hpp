@@ -7,6 +7,8 @@
 
 namespace mdana::html {
 
+std::string base64(std::string_view bytes);
+
 /// Text with everything that HTML would interpret escaped.
 std::string escape(std::string_view text);
 

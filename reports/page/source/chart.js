@@ -37,7 +37,7 @@ function tools(view) {
     if (table) view.live.append(table);
   }, 'The points as a table');
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'Axes and zoom' },
-    log('x'), log('y'), push('+', 'Zoom in', () => view.change({ factor: 0.5 })),
+    element('span', { className: 'title' }, view.data.title), log('x'), log('y'), push('+', 'Zoom in', () => view.change({ factor: 0.5 })),
     push('\u2212', 'Zoom out', () => view.change({ factor: 2 })),
     push('Reset', 'Show all', () => view.setWindow(null)), numbers);
 }

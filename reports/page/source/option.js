@@ -25,7 +25,7 @@ function axis(data, state, name) {
   const [min, max] = state.window?.[name] ?? [];
   return {
     type: state.log[name] ? 'log' : 'value', scale: true, min, max,
-    name: data[name].label, nameLocation: 'middle',
+    name: data[name].label, nameLocation: 'middle', nameGap: name === 'x' ? 28 : undefined,
     nameTextStyle: { color: styled('--text'), fontSize: 13 },
     axisLine: { show: true, onZero: false, lineStyle: { color: quiet } },
     axisTick: { show: true },
@@ -35,33 +35,48 @@ function axis(data, state, name) {
   };
 }
 
-/** Whiskers from y - error to y + error (and the same in x), with caps of 6 pixels. */
-function errorBars(series, look) {
-  const rows = series.x.map((x, i) => [x, series.y[i], series.x_error?.[i] ?? 0, series.y_error?.[i] ?? 0]);
-  const whisker = ([x1, y1], [x2, y2], [u, v]) => [
-    [x1, y1, x2, y2], [x1 - u, y1 - v, x1 + u, y1 + v], [x2 - u, y2 - v, x2 + u, y2 + v]];
+/** The ends of a whisker about a value; on a log axis one that reaches zero has no lower end. */
+function ends(value, error, log) {
+  if (!(error > 0)) return [null, null];
+  return [log && value - error <= 0 ? null : value - error, value + error];
+}
+
+/** A line with caps of 6 pixels where it ends, without one where it leaves the plot at `beyond`. */
+function whisker(from, to, beyond, across) {
+  const cap = ([x, y]) => [x - across[0], y - across[1], x + across[0], y + across[1]];
+  const start = from ?? [across[0] ? to[0] : beyond, across[0] ? beyond : to[1]];
+  return [[...start, ...to], cap(to), ...(from ? [cap(from)] : [])];
+}
+
+function errorBars(series, look, state) {
+  const rows = series.x.map((x, i) => [x, series.y[i], ...ends(x, series.x_error?.[i], state.log.x),
+                                       ...ends(series.y[i], series.y_error?.[i], state.log.y)])
+    .filter(([x, y]) => usable(state, x, y));
   return {
-    type: 'custom', clip: true, silent: true, z: look.z, data: rows, encode: { x: 0, y: 1 },
-    renderItem(_, api) {
-      const [x, y, dx, dy] = [0, 1, 2, 3].map((k) => api.value(k));
+    type: 'custom', clip: true, silent: true, z: look.z, data: rows, encode: { x: [0, 2, 3], y: [1, 4, 5] },
+    renderItem({ coordSys, dataIndex }, api) {
+      const [x, y, x1, x2, y1, y2] = rows[dataIndex];
       const lines = [];
-      if (dx > 0) lines.push(...whisker(api.coord([x - dx, y]), api.coord([x + dx, y]), [0, 3]));
-      if (dy > 0) lines.push(...whisker(api.coord([x, y - dy]), api.coord([x, y + dy]), [3, 0]));
+      if (x2 !== null)
+        lines.push(...whisker(x1 === null ? null : api.coord([x1, y]), api.coord([x2, y]), coordSys.x, [0, 3]));
+      if (y2 !== null)
+        lines.push(...whisker(y1 === null ? null : api.coord([x, y1]), api.coord([x, y2]),
+                              coordSys.y + coordSys.height, [3, 0]));
       const style = { stroke: look.colour, lineWidth: 1.2, opacity: look.opacity };
-      return { type: 'group', children: lines.map(([x1, y1, x2, y2]) =>
-        ({ type: 'line', shape: { x1, y1, x2, y2 }, style })) };
+      return { type: 'group', children: lines.map(([xa, ya, xb, yb]) =>
+        ({ type: 'line', shape: { x1: xa, y1: ya, x2: xb, y2: yb }, style })) };
     },
   };
 }
 
-function drawn(series, look, usable) {
-  const points = series.x.map((x, i) => (usable(x, series.y[i]) ? [x, series.y[i]] : [null, null]));
-  const common = { data: points, silent: true, animation: false, clip: true, z: look.z };
+function drawn(series, look, state) {
+  const points = series.x.map((x, i) => (usable(state, x, series.y[i]) ? [x, series.y[i]] : [null, null]));
+  const common = { data: points, silent: true, animation: false, z: look.z };
   if (series.style === 'points')
-    return { ...common, type: 'scatter', symbolSize: look.strong ? 9 : 6,
+    return { ...common, type: 'scatter', clip: state.window !== null, symbolSize: look.strong ? 9 : 6,
              itemStyle: { color: look.colour, opacity: look.opacity } };
   const type = series.style === 'dashed' ? 'dashed' : 'solid';
-  return { ...common, type: 'line', showSymbol: false, connectNulls: false,
+  return { ...common, type: 'line', clip: true, showSymbol: false, connectNulls: false,
            lineStyle: { color: look.colour, width: look.strong ? 3.5 : 2, type, opacity: look.opacity } };
 }
 
@@ -79,8 +94,8 @@ export function chartOption(data, state) {
     const strong = pointed !== null && s.run === pointed;
     const look = { colour: seriesColour(data, index), strong, z: strong ? 4 : 2,
                    opacity: pointed === null || strong ? 1 : 0.15 };
-    series.push(drawn(s, look, (x, y) => usable(state, x, y)));
-    if (s.x_error || s.y_error) series.push(errorBars(s, look));
+    series.push(drawn(s, look, state));
+    if (s.x_error || s.y_error) series.push(errorBars(s, look, state));
   });
   return { animation: false, darkMode: dark(), backgroundColor: 'transparent',
            textStyle: { fontFamily: getComputedStyle(document.body).fontFamily },

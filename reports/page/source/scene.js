@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3-D view: defect atoms, dislocation lines and fault planes of chosen frames.
 import { element, json, push, toggle } from './blocks.js';
-import { atomsObject, layerColour, lineObject, planeObject, word } from './scene_parts.js';
+import { atomsObject, lineObject, planeObject } from './scene_parts.js';
 import { makeStage, perAngle } from './stage.js';
 import { onTheme } from './theme.js';
 
@@ -19,28 +19,23 @@ function show(view) {
   view.stage.repaint();
 }
 
-const nouns = { atoms: 'atoms', lines: 'lines', planes: '' };
-
-/** All layers of all frames: "lines shockley" and so on. */
+/** All layers of all frames: [name, colour, class of the swatch]. */
 function layers(data) {
-  const all = new Set();
-  for (const frame of data.frames) {
-    for (const { family } of frame.lines ?? []) all.add(`lines ${family}`);
-    for (const { kind } of frame.planes ?? []) all.add(`planes ${kind}`);
-    for (const { kind } of frame.atoms ?? []) all.add(`atoms ${kind}`);
-  }
-  return [...all];
+  const all = new Map();
+  for (const frame of data.frames)
+    for (const [list, swatch] of [[frame.lines, 'line'], [frame.planes, 'points'], [frame.atoms, 'points']])
+      for (const { name, colour } of list ?? []) all.set(name, [name, colour, swatch]);
+  return [...all.values()];
 }
 
 function legend(view) {
-  const buttons = layers(view.data).map((layer) => {
-    const [what, kind] = layer.split(' ');
-    const button = toggle(`${word(kind)} ${nouns[what]}`.trim(), true, (on) => {
-      on ? view.hidden.delete(layer) : view.hidden.add(layer);
+  const buttons = layers(view.data).map(([name, colour, shape]) => {
+    const button = toggle(name, true, (on) => {
+      on ? view.hidden.delete(name) : view.hidden.add(name);
       show(view);
     });
-    const swatch = element('span', { className: `swatch ${what === 'lines' ? 'line' : 'points'}` });
-    swatch.style.color = layerColour(layer);
+    const swatch = element('span', { className: `swatch ${shape}` });
+    swatch.style.color = colour;
     button.prepend(swatch);
     return button;
   });
@@ -58,10 +53,10 @@ function frameChoice(view) {
 }
 
 function tools(view) {
-  const parts = [push('+', 'Nearer', () => view.stage.zoom(0.8)),
+  const parts = [element('span', { className: 'title' }, view.data.title), push('+', 'Nearer', () => view.stage.zoom(0.8)),
                  push('\u2212', 'Farther', () => view.stage.zoom(1.25)),
                  push('Reset', 'As at first', () => (view.stage.aimed(), view.stage.repaint()))];
-  if (view.data.frames.length > 1) parts.unshift(frameChoice(view));
+  if (view.data.frames.length > 1) parts.splice(1, 0, frameChoice(view));
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'View' }, ...parts);
 }
 

@@ -9,15 +9,6 @@ import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 
 import { digits, numbers } from './blocks.js';
-import { atomColours, lineColours, planeColours } from './colours.js';
-
-/** The field's word of a kind. */
-export const words = {
-  perfect: 'perfect', shockley: 'Shockley', stair_rod: 'stair-rod', hirth: 'Hirth', frank: 'Frank',
-  other: 'other', intrinsic: 'intrinsic fault', extrinsic: 'extrinsic fault', twin: 'twin boundary',
-  bulk_defect: 'bulk defect', surface: 'surface', contact: 'contact',
-};
-export const word = (kind) => words[kind] ?? kind;
 
 /** A shaded ball, with which points are painted. */
 function ball() {
@@ -39,20 +30,18 @@ function ball() {
 export function atomsObject(group, perAngle) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(numbers(group.at), 3));
-  const material = new PointsMaterial({ color: atomColours[group.kind] ?? atomColours.other, map: ball(),
-                                        size: group.diameter * perAngle, alphaTest: 0.5 });
+  const material = new PointsMaterial({ color: group.colour, map: ball(), size: group.diameter * perAngle, alphaTest: 0.5 });
   const object = new Points(geometry, material);
-  object.userData = { layer: `atoms ${group.kind}`, text: null };
+  object.userData = { layer: group.name, text: null };
   return object;
 }
 
 export function lineObject(line, unit) {
-  const material = new LineMaterial({ color: new Color(lineColours[line.family] ?? lineColours.other),
-                                      linewidth: 4 });
+  const material = new LineMaterial({ color: new Color(line.colour), linewidth: 4 });
   const object = new Line2(new LineGeometry().setPositions(numbers(line.at)), material);
-  const parts = [`${word(line.family)} dislocation`, line.burgers && `b = ${line.burgers}`,
+  const parts = [line.name, line.burgers && `b = ${line.burgers}`,
                  line.length && `length ${digits(line.length)} ${unit}`];
-  object.userData = { layer: `lines ${line.family}`, text: parts.filter(Boolean).join(', ') };
+  object.userData = { layer: line.name, text: parts.filter(Boolean).join(', ') };
   return object;
 }
 
@@ -74,17 +63,10 @@ export function planeObject(plane, unit) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(at, 3));
   geometry.setIndex(triangles(corners).flat());
-  const material = new MeshBasicMaterial({ color: planeColours[plane.kind] ?? lineColours.other, side: DoubleSide,
-                                           transparent: true, opacity: 0.45, depthWrite: false });
+  const material = new MeshBasicMaterial({ color: plane.colour, side: DoubleSide, transparent: true,
+                                           opacity: 0.45, depthWrite: false });
   const object = new Mesh(geometry, material);
-  const parts = [word(plane.kind), plane.area && `area ${digits(plane.area)} ${unit}\u00b2`];
-  object.userData = { layer: `planes ${plane.kind}`, text: parts.filter(Boolean).join(', ') };
+  const parts = [plane.name, plane.area && `area ${digits(plane.area)} ${unit}\u00b2`];
+  object.userData = { layer: plane.name, text: parts.filter(Boolean).join(', ') };
   return object;
-}
-
-/** Colour of a layer, "lines shockley" and so on. */
-export function layerColour(layer) {
-  const [what, kind] = layer.split(' ');
-  const table = { atoms: atomColours, lines: lineColours, planes: planeColours }[what];
-  return table[kind] ?? table.other ?? lineColours.other;
 }

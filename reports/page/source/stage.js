@@ -10,7 +10,7 @@ export const perAngle = 1 / Math.tan((angle / 2) * Math.PI / 180);
 
 function renderer() {
   try {
-    return new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    return new WebGLRenderer({ antialias: true });
   } catch {
     return null;  // no WebGL: the still picture stays
   }
@@ -36,7 +36,7 @@ export function makeStage(place) {
   const aimed = () => {
     const ball = new Box3().setFromObject(content).getBoundingSphere(new Sphere());
     const radius = ball.radius > 0 ? ball.radius : 1;
-    const distance = radius / Math.sin((angle / 2) * Math.PI / 180);
+    const distance = 0.8 * radius * perAngle;  // corners of the box may leave the picture
     controls.target.copy(ball.center);
     camera.position.set(0.45, -0.8, 0.4).normalize().multiplyScalar(distance).add(ball.center);
     camera.up.set(0, 0, 1);
