@@ -6,20 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "reports/page_picture.hpp"
 #include "reports/page_script.hpp"
-#include "reports/slim_svg.hpp"
 
 namespace mdana {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Seven digits: finer than the screen at any zoom that shows a curve.
+/// Six digits, as many as the script shows of a value.
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double v : values)
     if (std::isfinite(v))
-      list.push_back(std::strtod(fmt::format("{:.7g}", v).c_str(), nullptr));
+      list.push_back(std::strtod(fmt::format("{:.6g}", v).c_str(), nullptr));
     else
       list.push_back(nullptr);
   return list;
@@ -60,11 +60,9 @@ Json figure_json(const Figure& figure) {
   return json;
 }
 
-std::string live_figure(const Figure& figure, std::string_view svg) {
-  const std::string caption =
-      svg.empty() ? "No picture: gnuplot is not installed. " + figure.alt : figure.alt;
-  const std::string content = html::picture(slim_svg(svg), figure.alt) +
-                              html::element("figcaption", html::escape(caption));
+std::string live_figure(const Figure& figure) {
+  const std::string content = html::picture(page_picture(figure), figure.alt) +
+                              html::element("figcaption", html::escape(figure.alt));
   if (page_script.text.empty()) return html::element("figure", content);
   return html::element("figure", content, fmt::format("data-figure=\"{}\"", html::escape(figure.name))) +
          html::data_block("figure-" + figure.name, text(figure_json(figure)));

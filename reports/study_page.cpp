@@ -80,7 +80,10 @@ std::string fit_sentence(const StudyRun& entry) {
 
 std::string drawn(const std::vector<Figure>& figures, const std::filesystem::path& directory) {
   std::string content;
-  for (const Figure& figure : figures) content += live_figure(figure, draw(figure, directory));
+  for (const Figure& figure : figures) {
+    draw(figure, directory);
+    content += live_figure(figure);
+  }
   return element("div", content, "class=\"figures\"");
 }
 
@@ -114,7 +117,7 @@ std::string run_section(const StudyRun& entry, const std::filesystem::path& dire
 std::string aggregate_section(const AggregateRun& entry, const std::filesystem::path& directory) {
   const std::string text = heading(2, entry.name, file_name(entry.name));
   if (!entry.result) return text + element("p", escape(entry.failure), "class=\"warning\"");
-  return text + element("pre", escape(aggregate_document(entry).to_terminal())) +
+  return text + element("pre", escape(aggregate_document(entry).to_terminal()), "tabindex=\"0\"") +
          drawn(aggregate_figures(entry), directory);
 }
 
@@ -126,7 +129,7 @@ std::string aggregates_section(const Study& study) {
   Document document("compress");
   add_compression_study(document, *study.together.study);
   return head + paragraph("E* and Y of the aggregates by delta_max and t_max, from the laws of elastoplastic spheres.") +
-         element("pre", escape(document.to_terminal()));
+         element("pre", escape(document.to_terminal()), "tabindex=\"0\"");
 }
 
 /// A row a number, a column a setting: relative difference from the first setting.

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -92,50 +91,29 @@ ViewedFrame viewed(double radius) {
   return frame;
 }
 
-/// The pictures are drawn once: all runs have that of the first.
-class Pictures {
- public:
-  std::string of(const Figure& figure) { return draw(figure, place_); }
-  const std::string& one(const Figure& figure) {
-    if (one_.empty()) one_ = of(figure);
-    return one_;
-  }
-  explicit Pictures(std::filesystem::path place) : place_(std::move(place)) {
-    std::filesystem::create_directories(place_);
-  }
-
- private:
-  std::filesystem::path place_;
-  std::string one_;
-};
-
-std::string section(int run, Pictures& pictures) {
+std::string section(int run) {
   const std::string run_is = run_name(run);
   std::string figures;
-  for (const char* what : {"force", "contact-radius", "fit", "residuals"}) {
-    const Figure made = figure(run_is + "-" + what, run_is + ": " + what, loop(run, 100));
-    figures += live_figure(made, pictures.one(made));
-  }
+  for (const char* what : {"force", "contact-radius", "fit", "residuals", "accuracy"})
+    figures += live_figure(figure(run_is + "-" + what, run_is + ": " + what, loop(run, 100)));
   return html::section_of(run_is, html::heading(2, run_is) + html::element("div", figures, "class=\"figures\""));
 }
 
-std::string page_of(int runs, const std::filesystem::path& place) {
-  Pictures pictures(place);
+std::string page_of(int runs) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> names;
   for (int run = 0; run < runs; ++run) {
     names.push_back(run_name(run));
     rows.push_back({names.back(), fmt::format("{} ± 0.1 ε/σ", 1 + 0.1 * ((run * 7) % runs))});
   }
-  const Figure together = loops(runs), speeds = restitution(runs);
   std::string body = html::heading(1, fmt::format("Made-up page of {} runs", runs)) +
                      html::table({"run", "F_max"}, rows) + html::heading(2, "Runs together");
   body += html::element("div",
-                        live_figure(together, pictures.of(together)) + live_figure(speeds, pictures.of(speeds)) +
+                        live_figure(loops(runs)) + live_figure(restitution(runs)) +
                             live_view({"defects", "Defects", "Made-up atoms, lines and a plane.", "σ",
                                        {viewed(5), viewed(8)}}),
                         "class=\"figures\"");
-  for (int run = 0; run < runs; ++run) body += section(run, pictures);
+  for (int run = 0; run < runs; ++run) body += section(run);
   return html::page("Made-up runs", page_style, body + page_data(names), page_script);
 }
 
@@ -146,6 +124,5 @@ int main(int count, char** arguments) {
   int runs = 0;
   if (count == 3) std::from_chars(arguments[1], arguments[1] + std::strlen(arguments[1]), runs);
   if (runs < 1) return fmt::print(stderr, "usage: sample_page RUNS OUT.html\n"), 2;
-  const std::filesystem::path out = arguments[2];
-  mdana::write_file(out, mdana::page_of(runs, out.parent_path() / "figures"));
+  mdana::write_file(arguments[2], mdana::page_of(runs));
 }

@@ -39,7 +39,7 @@ function tools(view) {
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'Axes and zoom' },
     element('span', { className: 'title' }, view.data.title), log('x'), log('y'), push('+', 'Zoom in', () => view.change({ factor: 0.5 })),
     push('\u2212', 'Zoom out', () => view.change({ factor: 2 })),
-    push('Reset', 'Show all', () => view.setWindow(null)), numbers);
+    push('Reset', 'Reset the zoom', () => view.setWindow(null)), numbers);
 }
 
 function makeView(figure, data) {

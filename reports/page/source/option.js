@@ -5,8 +5,13 @@ import { colour } from './colours.js';
 import { isShown, pointedRun, runColour } from './runs.js';
 import { dark, styled } from './theme.js';
 
+const runs = new WeakMap();  // of figures' data
+
 /** The runs that a figure's series are of. */
-export const runsOf = (data) => [...new Set(data.series.map((s) => s.run).filter(Boolean))];
+export function runsOf(data) {
+  if (!runs.has(data)) runs.set(data, [...new Set(data.series.map((s) => s.run).filter(Boolean))]);
+  return runs.get(data);
+}
 
 /** Colour of a series: of its run if the figure compares runs, else of its place in the figure. */
 export function seriesColour(data, index) {

@@ -55,7 +55,7 @@ function frameChoice(view) {
 function tools(view) {
   const parts = [element('span', { className: 'title' }, view.data.title), push('+', 'Nearer', () => view.stage.zoom(0.8)),
                  push('\u2212', 'Farther', () => view.stage.zoom(1.25)),
-                 push('Reset', 'As at first', () => (view.stage.aimed(), view.stage.repaint()))];
+                 push('Reset', 'Reset the view', () => (view.stage.aimed(), view.stage.repaint()))];
   if (view.data.frames.length > 1) parts.splice(1, 0, frameChoice(view));
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'View' }, ...parts);
 }
