@@ -2,6 +2,7 @@
 #include "reports/page_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <Eigen/Core>
@@ -57,6 +58,7 @@ class Picture {
     std::vector<double> all;
     for (const Series& s : figure_.series)
       for (std::size_t i = 0; i < (s.*list).size(); ++i) {
+        if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
         const double v = (s.*list)[i], e = error && i < (s.*error).size() ? (s.*error)[i] : 0;
         all.insert(all.end(), {v, v - e, v + e});
       }

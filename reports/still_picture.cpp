@@ -81,6 +81,15 @@ void add_atoms(std::vector<Shape>& shapes, const ViewedAtoms& atoms, const Paper
   }
 }
 
+/// Piece by piece, since a line can pass both before and behind something.
+void add_line(std::vector<Shape>& shapes, const ViewedLine& line, const Paper& paper) {
+  for (std::size_t i = 0; i + 1 < line.at.size(); ++i) {
+    const std::vector<Vector3d> piece{line.at[i], line.at[i + 1]};
+    shapes.push_back({nearness(piece), fmt::format("<polyline points='{}' stroke='{}' stroke-width='3' "
+                                                   "stroke-linecap='round'/>\n", corners(piece, paper), line.colour)});
+  }
+}
+
 std::vector<Shape> shapes_of(const ViewedFrame& frame) {
   const Paper paper(frame);
   std::vector<Shape> shapes;
@@ -88,9 +97,7 @@ std::vector<Shape> shapes_of(const ViewedFrame& frame) {
   for (const ViewedPlane& p : frame.planes)
     shapes.push_back({nearness(p.corners), fmt::format("<polygon points='{}' fill='{}' fill-opacity='0.45' stroke='{}'/>\n",
                                                        corners(p.corners, paper), p.colour, p.colour)});
-  for (const ViewedLine& l : frame.lines)
-    shapes.push_back({nearness(l.at), fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='3'/>\n",
-                                                  corners(l.at, paper), l.colour)});
+  for (const ViewedLine& l : frame.lines) add_line(shapes, l, paper);
   return shapes;
 }
 
