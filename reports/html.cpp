@@ -83,7 +83,7 @@ std::string list(const std::vector<std::string>& items) {
 
 std::string picture(std::string_view svg, std::string_view alt) {
   if (svg.empty()) return {};
-  return fmt::format("<img alt=\"{}\" decoding=\"async\" src=\"data:image/svg+xml;base64,{}\">", escape(alt),
+  return fmt::format("<img alt=\"{}\" loading=\"lazy\" src=\"data:image/svg+xml;base64,{}\">", escape(alt),
                      base64(svg));
 }
 

@@ -28,9 +28,10 @@ function labelEntries(view, many) {
   });
 }
 
-function runEntries(runs) {
+function runEntries(view, runs) {
   return runs.map((run) => {
-    const made = entry(run, 'line', isShown(run), (on) => showRuns([run], on), () => runColour(run));
+    const points = view.data.series.every((s) => s.run !== run || s.style === 'points');
+    const made = entry(run, points ? 'points' : 'line', isShown(run), (on) => showRuns([run], on), () => runColour(run));
     pointsAt(made.button, run);
     return { ...made, run };
   });
@@ -40,7 +41,7 @@ function runEntries(runs) {
 export function legend(view) {
   const runs = runsOf(view.data);
   const many = runs.length > 1;
-  const ofRuns = many && runs.length <= mostRuns ? runEntries(runs) : [];
+  const ofRuns = many && runs.length <= mostRuns ? runEntries(view, runs) : [];
   const entries = [...labelEntries(view, many), ...ofRuns];
   const paint = () => entries.forEach((e) => e.paint());
   const press = () => ofRuns.forEach((e) => e.button.setAttribute('aria-pressed', isShown(e.run)));
