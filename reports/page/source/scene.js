@@ -2,7 +2,7 @@
 // The 3-D view: defect atoms, dislocation lines and fault planes of chosen frames.
 import { element, json, push, toggle } from './blocks.js';
 import { atomsObject, lineObject, planeObject } from './scene_parts.js';
-import { makeStage, perAngle } from './stage.js';
+import { Stage, painter, perAngle } from './stage.js';
 import { onTheme } from './theme.js';
 
 function fill(view) {
@@ -55,7 +55,7 @@ function frameChoice(view) {
 function tools(view) {
   const parts = [element('span', { className: 'title' }, view.data.title), push('+', 'Nearer', () => view.stage.zoom(0.8)),
                  push('\u2212', 'Farther', () => view.stage.zoom(1.25)),
-                 push('Reset', 'Reset the view', () => (view.stage.aimed(), view.stage.repaint()))];
+                 push('Reset', 'Reset the view', () => (view.stage.aim(), view.stage.repaint()))];
   if (view.data.frames.length > 1) parts.splice(1, 0, frameChoice(view));
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'View' }, ...parts);
 }
@@ -95,13 +95,11 @@ export function sceneView(figure) {
   const place = element('div', { className: 'chart stage', tabIndex: 0, role: 'group',
     'aria-roledescription': '3-D view',
     'aria-label': `${data.title}. ${data.alt} Arrow keys turn it, plus and minus zoom.` });
+  const brush = painter();
+  if (!brush) return null;
   const live = element('div', { className: 'live' }, place);
   figure.prepend(live);
-  const stage = makeStage(place);
-  if (!stage) {
-    live.remove();
-    return null;
-  }
+  const stage = new Stage(place, brush);
   const box = element('div', { className: 'values', hidden: true });
   place.append(box);
   const view = { data, place, stage, box, frame: 0, hidden: new Set() };
@@ -109,8 +107,8 @@ export function sceneView(figure) {
   live.append(legend(view));
   gestures(view);
   fill(view);
-  stage.aimed();
-  const end = onTheme(stage.repaint);
+  stage.aim();
+  const end = onTheme(() => stage.repaint());
   return { release() {
     end();
     stage.release();
