@@ -78,9 +78,10 @@ std::string fit_sentence(const StudyRun& entry) {
       h.fit.fit.usable ? "" : " The fit is not usable: " + h.fit.fit.reason + "."));
 }
 
-std::string drawn(const std::vector<Figure>& figures, const std::filesystem::path& directory) {
+std::string drawn(std::vector<Figure> figures, const std::filesystem::path& directory, const std::string& run) {
   std::string content;
-  for (const Figure& figure : figures) {
+  for (Figure& figure : figures) {
+    for (Series& s : figure.series) s.run = run;
     draw(figure, directory);
     content += live_figure(figure);
   }
@@ -109,7 +110,7 @@ std::string run_section(const StudyRun& entry, const std::filesystem::path& dire
   for (const std::string& w : entry.warnings)
     text += element("p", escape("Warning: " + w), "class=\"warning\"");
   text += fit_sentence(entry) + overlay_sentence(entry);
-  text += drawn(run_figures(entry), directory);
+  text += drawn(run_figures(entry), directory, entry.name);
   return text + element("p", element("code", escape(inputs_text(r.measured.swept.inputs))),
                         "class=\"quiet\"");
 }
@@ -118,7 +119,7 @@ std::string aggregate_section(const AggregateRun& entry, const std::filesystem::
   const std::string text = heading(2, entry.name, file_name(entry.name));
   if (!entry.result) return text + element("p", escape(entry.failure), "class=\"warning\"");
   return text + element("pre", escape(aggregate_document(entry).to_terminal()), "tabindex=\"0\"") +
-         drawn(aggregate_figures(entry), directory);
+         drawn(aggregate_figures(entry), directory, entry.name);
 }
 
 /// What the aggregates say together.
@@ -162,7 +163,7 @@ std::string accuracy_section(const Study& study, const std::filesystem::path& di
                     "difference from it.");
   for (const StudyRun& entry : study.runs) {
     if (!entry.result) continue;
-    text += heading(3, entry.name) + drawn({accuracy_figure(entry)}, directory) +
+    text += heading(3, entry.name) + drawn({accuracy_figure(entry)}, directory, entry.name) +
             accuracy_table(entry);
   }
   return text;

@@ -148,9 +148,11 @@ test('a curve is hidden by its legend, values come with errors', () => onPage(br
   assert.equal((await values(figure)).curve, 'run-000 · loading');
   const speeds = await liveFigure(page, 'restitution');
   await pressed(speeds, 'ArrowRight');
+  assert.equal((await values(speeds)).curve, 'run-000 (made up)');
   assert.match((await speeds.locator('.values div').allTextContents())[2], /: 0\.666667 ± 0\.03$/);
   await speeds.getByRole('button', { name: 'Numbers' }).click();
-  assert.equal(await speeds.locator('.numbers tbody tr').count(), 3);
+  assert.equal(await speeds.locator('.numbers tbody tr').count(), 5);  // three runs, two of the law
+  assert.deepEqual(await speeds.locator('.legend button').allTextContents(), ['law', 'run-000', 'run-001', 'run-002']);
 }));
 
 test('tables are sorted by keys', () => onPage(browser, made, async (page) => {

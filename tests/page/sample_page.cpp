@@ -60,8 +60,10 @@ Figure restitution(int runs) {
     Series point{"e", {0.01 * std::pow(1.5, run % 20)}, {1 / (1.5 + 0.1 * (run % 20))}, Series::Style::points};
     point.y_error = {0.03};
     point.run = run_name(run);
+    point.label = point.run + " (made up)";
     made.series.push_back(std::move(point));
   }
+  made.series.push_back({"law", {0.01, 10}, {0.7, 0.3}, Series::Style::dashed});
   return made;
 }
 

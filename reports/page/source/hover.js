@@ -44,9 +44,14 @@ export function neighbour(view, from, along, across) {
 
 const withError = (value, error) => digits(value) + (error > 0 ? ` \u00b1 ${digits(error)}` : '');
 
+/** A curve by its run and label, which may begin with the run. */
+export function curveName({ run, label }) {
+  return run && !label.startsWith(run) ? `${run} \u00b7 ${label}` : label;
+}
+
 export function valueLines(data, { s, i }) {
   const series = data.series[s];
-  const head = [series.run, series.label].filter((t, k, all) => t && all.indexOf(t) === k).join(' \u00b7 ');
+  const head = curveName(series);
   return [series.names?.[i] ? `${head} \u00b7 ${series.names[i]}` : head,
           `${data.x.label}: ${withError(series.x[i], series.x_error?.[i])}`,
           `${data.y.label}: ${withError(series.y[i], series.y_error?.[i])}`];

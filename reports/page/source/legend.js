@@ -14,17 +14,24 @@ function entry(text, className, pressed, changed, paint) {
   return { button, paint: () => (swatch.style.color = paint()) };
 }
 
+/** Labels with a button: all, but of a figure that compares runs only those of several runs or of none. */
+function labelsOf({ series }, many) {
+  const labels = [...new Set(series.map((s) => s.label))];
+  if (!many) return labels;
+  const runs = (label) => new Set(series.filter((s) => s.label === label).map((s) => s.run));
+  const some = labels.filter((label) => runs(label).size > 1 || runs(label).has(undefined));
+  return some.length < 2 && series.every((s) => s.run) ? [] : some;
+}
+
 function labelEntries(view, many) {
-  const labels = [...new Set(view.data.series.map((s) => s.label))];
-  if (many && labels.length < 2) return [];
-  return labels.map((label) => {
+  return labelsOf(view.data, many).map((label) => {
     const index = view.data.series.findIndex((s) => s.label === label);
     const changed = (on) => {
       on ? view.state.hiddenLabels.delete(label) : view.state.hiddenLabels.add(label);
       view.draw();
     };
     return entry(label, view.data.series[index].style ?? 'line', !view.state.hiddenLabels.has(label), changed,
-                 () => (many ? 'inherit' : seriesColour(view.data, index)));
+                 () => (many && view.data.series[index].run ? 'inherit' : seriesColour(view.data, index)));
   });
 }
 

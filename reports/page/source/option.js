@@ -13,10 +13,11 @@ export function runsOf(data) {
   return runs.get(data);
 }
 
-/** Colour of a series: of its run if the figure compares runs, else of its place in the figure. */
+/** Colour of a series: where runs are compared of its run, or that of text; else of its place. */
 export function seriesColour(data, index) {
+  if (runsOf(data).length < 2) return colour(index);
   const { run } = data.series[index];
-  return run && runsOf(data).length > 1 ? runColour(run) : colour(index);
+  return run ? runColour(run) : styled('--text');
 }
 
 /** Whether a series is drawn. The one run of a figure is always drawn. */
