@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/defect_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -90,7 +91,8 @@ ViewedFrame viewed_frame(const FrameAtoms& atoms, const FrameDefects& defects, d
                          std::string label) {
   ViewedFrame frame{std::move(label), {}, {}, {}};
   ViewedAtoms hcp{"hcp atoms", "#e0574f", 0.8 * spacing, {}}, bulk{"bulk defects", "#c9a227", 0.8 * spacing, {}};
-  for (std::size_t i = 0; i < atoms.size(); ++i)
+  const std::size_t labelled = std::min(atoms.size(), defects.labels.structure.size());
+  for (std::size_t i = 0; i < labelled; ++i)
     if (defects.labels.structure[i] == Structure::hcp)
       hcp.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
     else if (defects.labels.site[i] == Site::bulk_defect)

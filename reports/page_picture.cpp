@@ -124,8 +124,8 @@ class Picture {
       lines += fmt::format("M{},{:.1f}H{}", left - 5, y, right);
       words += fmt::format("<text x='{}' y='{:.1f}'>{}</text>", left - 9, y + 5, y_.label(tick));
     }
-    return fmt::format("<path stroke='#ddd' d='{}'/>\n{}</g>\n<text text-anchor='middle' transform='translate(18,{:.0f})"
-                       "rotate(-90)'>{}</text>\n<path fill='none' stroke='#444' d='M{},{:.1f}V{}H{}'/>\n",
+    return fmt::format("<path stroke='#ddd' d='{}'/>\n{}</g>\n<text text-anchor='middle' "
+                       "transform='translate(18,{:.0f})rotate(-90)'>{}</text>\n<path fill='none' stroke='#444' d='M{},{:.1f}V{}H{}'/>\n",
                        lines, words, (top_ + bottom) / 2, escape(figure_.y_label), left, top_, bottom, right);
   }
 

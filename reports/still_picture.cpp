@@ -95,8 +95,9 @@ std::vector<Shape> shapes_of(const ViewedFrame& frame) {
   std::vector<Shape> shapes;
   for (const ViewedAtoms& atoms : frame.atoms) add_atoms(shapes, atoms, paper);
   for (const ViewedPlane& p : frame.planes)
-    shapes.push_back({nearness(p.corners), fmt::format("<polygon points='{}' fill='{}' fill-opacity='0.45' stroke='{}'/>\n",
-                                                       corners(p.corners, paper), p.colour, p.colour)});
+    shapes.push_back({nearness(p.corners),
+                      fmt::format("<polygon points='{}' fill='{}' fill-opacity='0.45' stroke='{}'/>\n",
+                                  corners(p.corners, paper), p.colour, p.colour)});
   for (const ViewedLine& l : frame.lines) add_line(shapes, l, paper);
   return shapes;
 }

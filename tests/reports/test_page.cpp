@@ -95,7 +95,8 @@ TEST(LiveFigure, TellsTheScriptWhatToDraw) {
 
 TEST(LiveFigure, ABlockEndsOnlyAtItsEnd) {
   const std::string block = html::data_block("a\"b", R"({"t":"</script><!--"})");
-  EXPECT_EQ(block, "<script type=\"application/json\" id=\"a&quot;b\">{\"t\":\"\\u003c/script>\\u003c!--\"}</script>\n");
+  EXPECT_EQ(block, "<script type=\"application/json\" id=\"a&quot;b\">"
+                   "{\"t\":\"\\u003c/script>\\u003c!--\"}</script>\n");
 }
 
 // Box 0 to 1: the ends are 32767 steps from its centre; little-endian 0x8001 and 0x7fff.
@@ -107,6 +108,28 @@ TEST(DefectView, PacksPositionsIn16Bits) {
   EXPECT_EQ(line["at"]["origin"], (std::vector<double>{0.5, 0, 0}));
   EXPECT_DOUBLE_EQ(line["at"]["step"], 1.0 / 65534);
   EXPECT_EQ(viewed_line("no such family", {}).colour, "#e02020");
+}
+
+TEST(DefectView, ShowsHcpAtomsDefectsAndFaults) {
+  FrameAtoms atoms{{0, 1, 2}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {}, {}};
+  FrameDefects defects;
+  defects.labels.structure = {Structure::fcc, Structure::hcp, Structure::other};
+  defects.labels.site = {Site::crystal, Site::crystal, Site::bulk_defect};
+  defects.planes.push_back({PlanarFault::twin, 1, {0, 0, 1}, {5, 5, 5}, 4, 0, 9});
+  const ViewedFrame frame = viewed_frame(atoms, defects, 1.1, "step 7");
+  ASSERT_EQ(frame.atoms.size(), 2u);
+  EXPECT_EQ(frame.atoms[0].at, (std::vector<Eigen::Vector3d>{{1, 0, 0}}));
+  EXPECT_EQ(frame.atoms[1].at, (std::vector<Eigen::Vector3d>{{2, 0, 0}}));
+  ASSERT_EQ(frame.planes.size(), 1u);
+  EXPECT_EQ(frame.planes[0].area, 4);
+  double area = 0;  // of the polygon, in the plane z = 5
+  const auto& c = frame.planes[0].corners;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const Eigen::Vector3d& next = c[(k + 1) % c.size()];
+    EXPECT_DOUBLE_EQ(c[k].z(), 5);
+    area += (c[k].x() * next.y() - c[k].y() * next.x()) / 2;
+  }
+  EXPECT_NEAR(std::abs(area), 4, 1e-12);
 }
 
 TEST(DefectView, StillPictureTakesNothingAndOnePoint) {

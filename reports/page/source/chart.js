@@ -37,14 +37,15 @@ function tools(view) {
     if (table) view.live.append(table);
   }, 'The points as a table');
   return element('div', { className: 'tools', role: 'group', 'aria-label': 'Axes and zoom' },
-    element('span', { className: 'title' }, view.data.title), log('x'), log('y'), push('+', 'Zoom in', () => view.change({ factor: 0.5 })),
+    element('span', { className: 'title' }, view.data.title), log('x'), log('y'),
+    push('+', 'Zoom in', () => view.change({ factor: 0.5 })),
     push('\u2212', 'Zoom out', () => view.change({ factor: 2 })),
     push('Reset', 'Reset the zoom', () => view.setWindow(null)), numbers);
 }
 
 function makeView(figure, data) {
   const place = element('div', { className: 'chart', tabIndex: 0, role: 'group',
-    'aria-roledescription': 'interactive figure', title: '',
+    'aria-roledescription': 'interactive figure',
     'aria-label': `${data.title}. ${data.alt} Arrow keys walk along the points, plus and minus zoom.` });
   const canvas = element('div', { className: 'canvas' });
   place.append(canvas);

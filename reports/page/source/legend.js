@@ -38,7 +38,8 @@ function labelEntries(view, many) {
 function runEntries(view, runs) {
   return runs.map((run) => {
     const points = view.data.series.every((s) => s.run !== run || s.style === 'points');
-    const made = entry(run, points ? 'points' : 'line', isShown(run), (on) => showRuns([run], on), () => runColour(run));
+    const made = entry(run, points ? 'points' : 'line', isShown(run), (on) => showRuns([run], on),
+                       () => runColour(run));
     pointsAt(made.button, run);
     return { ...made, run };
   });

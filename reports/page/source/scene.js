@@ -53,7 +53,8 @@ function frameChoice(view) {
 }
 
 function tools(view) {
-  const parts = [element('span', { className: 'title' }, view.data.title), push('+', 'Nearer', () => view.stage.zoom(0.8)),
+  const parts = [element('span', { className: 'title' }, view.data.title),
+                 push('+', 'Nearer', () => view.stage.zoom(0.8)),
                  push('\u2212', 'Farther', () => view.stage.zoom(1.25)),
                  push('Reset', 'Reset the view', () => (view.stage.aim(), view.stage.repaint()))];
   if (view.data.frames.length > 1) parts.splice(1, 0, frameChoice(view));

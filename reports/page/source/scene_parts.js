@@ -30,7 +30,8 @@ function ball() {
 export function atomsObject(group, perAngle) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(numbers(group.at), 3));
-  const material = new PointsMaterial({ color: group.colour, map: ball(), size: group.diameter * perAngle, alphaTest: 0.5 });
+  const material = new PointsMaterial({ color: group.colour, map: ball(), size: group.diameter * perAngle,
+                                        alphaTest: 0.5 });
   const object = new Points(geometry, material);
   object.userData = { layer: group.name, text: null };
   return object;
