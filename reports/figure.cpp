@@ -16,15 +16,12 @@
 
 #include "reports/atomic_file.hpp"
 #include "reports/csv.hpp"
+#include "reports/series_colours.hpp"
 
 extern char** environ;
 
 namespace mdana {
 namespace {
-
-/// Okabe & Ito's colours, told apart by every kind of colour vision.
-constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                   "#E69F00", "#56B4E9", "#000000"};
 
 /// A gnuplot string: nothing in it is interpreted.
 std::string quoted(const std::string& text) {
@@ -53,7 +50,7 @@ std::string data_block(const Series& series, std::size_t index) {
 }
 
 std::string plot_clause(const Series& series, std::size_t index) {
-  const char* colour = colours[index % std::size(colours)];
+  const std::string_view colour = series_colours[index % series_colours.size()];
   const char* style = "";
   switch (series.style) {
     case Series::Style::line: style = "lines lw 2"; break;

@@ -15,6 +15,7 @@ struct Series {
   std::vector<double> x, y;
   enum class Style { line, dashed, points } style = Style::line;
   std::vector<double> y_error = {};  ///< of points; empty: none are drawn
+  std::string run = {};              ///< that it is of; empty: of no single one
 };
 
 /// A figure for gnuplot.

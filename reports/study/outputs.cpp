@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "readers/physical.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/csv.hpp"
+#include "reports/live_figure.hpp"
 #include "reports/study/aggregate_record.hpp"
 #include "reports/study/hdf5_file.hpp"
 #include "reports/study/page.hpp"
@@ -44,16 +44,14 @@ void write_run(const RunRecord& record, const fs::path& directory) {
     if (drawable(figure)) draw(figure, directory);
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
-}
+PageFigure on_page(const Figure& figure) { return {figure.name, figure.alt, live_figure(figure)}; }
 
-/// A figure that is drawn: without gnuplot there is no SVG.
-DrawnFigure drawn(const Figure& figure, const fs::path& directory) {
-  return {figure.name, figure.alt, text_of(directory / (figure.name + ".svg"))};
+/// Named by its run, as each run has a figure of that name; curves that are not of laws are of the run.
+PageFigure on_page(Figure figure, const ReportedRun& run) {
+  for (Series& s : figure.series)
+    if (s.style != Series::Style::dashed) s.run = run.name;
+  const std::string name = std::exchange(figure.name, fmt::format("runs/{}/{}", run.file, figure.name));
+  return {name, figure.alt, live_figure(figure)};
 }
 
 ReportedRun reported(const StudyRun& run) {
@@ -165,7 +163,7 @@ class Report {
       hdf5.add_run(run, record);
       if (run.aggregate()) aggregates_.push_back(compressed_of(run.name, record));
       for (Figure& figure : record.figures)
-        if (drawable(figure)) sections_.back().figures.push_back(drawn(figure, place_of(run)));
+        if (drawable(figure)) sections_.back().figures.push_back(on_page(std::move(figure), run));
     }
   }
 
@@ -175,7 +173,7 @@ class Report {
     std::vector<Work> works;
     for (const Figure& figure : figures) works.push_back([&] { draw(figure, directory_ / "figures"); });
     do_all(works);
-    for (const Figure& figure : figures) pooled_.push_back(drawn(figure, directory_ / "figures"));
+    for (const Figure& figure : figures) pooled_.push_back(on_page(figure));
   }
 
   void write_tables(StudyHdf5& hdf5) {
@@ -196,7 +194,8 @@ class Report {
   void list_left_out() {
     left_out_ = figures_.left_out();
     if (!StudyHdf5::available()) left_out_.push_back({"results.h5", "this build has no HDF5"});
-    const bool undrawn = std::ranges::any_of(pooled_, [](const DrawnFigure& f) { return f.svg.empty(); });
+    const bool undrawn = std::ranges::any_of(
+        pooled_, [&](const PageFigure& f) { return !fs::exists(directory_ / "figures" / (f.name + ".svg")); });
     if (undrawn) left_out_.push_back({"SVG and PDF of figures", "gnuplot is not installed; their data and scripts are there"});
   }
 
@@ -209,7 +208,7 @@ class Report {
     json["laws"] = fits_.laws;
     json["aggregates"] = fits_.aggregates;
     json["figures"] = Json::array();
-    for (const DrawnFigure& figure : pooled_)
+    for (const PageFigure& figure : pooled_)
       json["figures"].push_back({{"name", figure.name}, {"table", "figures/" + figure.name + ".csv"}, {"shows", figure.alt}});
     json["left_out"] = left_out_json(fits_.left_out);
     for (const Json& l : left_out_json(left_out_)) json["left_out"].push_back(l);
@@ -224,7 +223,7 @@ class Report {
   std::vector<const ReportedRun*> pointers_;
   std::vector<CompressedRun> aggregates_;
   std::vector<PageContent::Section> sections_;
-  std::vector<DrawnFigure> pooled_;
+  std::vector<PageFigure> pooled_;
   PooledFigures figures_;
   StudyFits fits_;
   std::vector<LeftOut> left_out_;

@@ -7,6 +7,8 @@
 
 #include "page_style.hpp"
 #include "reports/html.hpp"
+#include "reports/live_figure.hpp"
+#include "reports/page_script.hpp"
 #include "reports/stability.hpp"
 #include "reports/version.hpp"
 
@@ -75,13 +77,10 @@ std::string fit_sentence(const ReportedRun& run) {
       run.document.value("usable", false) ? "" : " The fit is not usable: " + run.text("reason") + "."));
 }
 
-std::string drawn(const std::vector<DrawnFigure>& figures, bool accuracy) {
+std::string drawn(const std::vector<PageFigure>& figures, bool accuracy) {
   std::string content;
-  for (const DrawnFigure& figure : figures) {
-    if ((figure.name == "accuracy") != accuracy) continue;
-    content += figure.svg.empty() ? paragraph("No picture: gnuplot is not installed. " + figure.alt)
-                                  : html::picture(figure.svg, figure.alt, figure.alt);
-  }
+  for (const PageFigure& figure : figures)
+    if ((figure.name == "accuracy") == accuracy) content += figure.html;
   return element("div", content, "class=\"figures\"");
 }
 
@@ -250,6 +249,12 @@ std::string left_out_section(const PageContent& content) {
          html::table({"run", "left out", "because"}, rows, 3);
 }
 
+std::vector<std::string> run_names(const PageContent& content) {
+  std::vector<std::string> names;
+  for (const auto& section : content.sections) names.push_back(section.run->name);
+  return names;
+}
+
 }  // namespace
 
 std::string study_page(const PageContent& content) {
@@ -257,9 +262,9 @@ std::string study_page(const PageContent& content) {
   std::string body = heading(1, fmt::format("{} of {} run{}", content.title, count, count == 1 ? "" : "s"));
   body += quiet(fmt::format("{} · mdana {}", content.place, version));
   body += summary_table(content) + pooled_section(content);
-  for (const auto& section : content.sections) body += run_section(section);
+  for (const auto& section : content.sections) body += html::section_of(section.run->name, run_section(section));
   body += fits_section(content.fits) + accuracy_section(content) + stability_section(content) + left_out_section(content);
-  return html::page(content.title, page_style, body);
+  return html::page(content.title, page_style, body + page_data(run_names(content)), page_script);
 }
 
 }  // namespace mdana

@@ -8,9 +8,10 @@
 
 namespace mdana {
 
-/// A figure as it was drawn.
-struct DrawnFigure {
-  std::string name, alt, svg;  ///< no SVG without gnuplot
+/// A figure for the page.
+struct PageFigure {
+  std::string name, alt;
+  std::string html;  ///< see live_figure
 };
 
 /// What the page shows of a study.
@@ -18,10 +19,10 @@ struct PageContent {
   std::string title, place;
   struct Section {
     const ReportedRun* run;
-    std::vector<DrawnFigure> figures;
+    std::vector<PageFigure> figures;
   };
   std::vector<Section> sections;
-  std::vector<DrawnFigure> pooled;
+  std::vector<PageFigure> pooled;
   const StudyFits& fits;
   std::vector<LeftOut> left_out;       ///< of the study
 };

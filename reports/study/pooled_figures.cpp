@@ -80,6 +80,7 @@ void PooledFigures::add(const ReportedRun& run, const RunRecord& record) {
     for (Series& series : series_of(kind, *table, label_of(run))) {
       const bool law = series.style == Series::Style::dashed;
       if (law && std::ranges::find(curves.laws, series.label, &Series::label) != curves.laws.end()) continue;
+      if (!law) series.run = run.name;
       (law ? curves.laws : curves.figure.series).push_back(std::move(series));
     }
   }

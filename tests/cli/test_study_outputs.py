@@ -90,6 +90,26 @@ class Outputs(Study):
         self.assertGreater(len(shown["delta"]), 10)
         self.assertLessEqual(set(zip(shown["delta"], shown["v"])), pairs)
 
+    def test_the_page_links_figures_with_their_runs(self):
+        self.study()
+        self.report()
+        text = (self.out / "index.html").read_text(encoding="utf-8")
+        self.assertEqual(tuple(re.findall('<section class="run" data-run="([^"]*)"', text)), NAMES)
+        blocks = {name: json.loads(block) for name, block in
+                  re.findall('<script type="application/json" id="([^"]*)">(.*?)</script>', text, re.DOTALL)}
+        if not blocks:
+            self.skipTest("pages of this build are static")
+        self.assertEqual(tuple(blocks["page-data"]["runs"]), NAMES)
+        for name in ("adhesive-tiny", "hertz-tiny"):
+            of = {series["label"]: series.get("run") for series in blocks[f"figure-runs/{name}/force"]["series"]}
+            law = "JKR" if name.startswith("adhesive") else "Hertz"
+            self.assertEqual(of, {"loading": name, "unloading": name, law: None})
+        pooled = [figure for name, figure in blocks.items() if name.startswith(("figure-force-", "figure-phase-plane-"))]
+        of = [(series["label"].split()[0], series.get("run")) for figure in pooled for series in figure["series"]]
+        for name in ("adhesive-tiny", "hertz-tiny"):
+            self.assertEqual(of.count((name, name)), 2)
+        self.assertEqual({label for label, run in of if run is None}, {"JKR", "Hertz"})
+
     def test_hdf5(self):
         """By the lines that README.md shows."""
         if not h5py:
