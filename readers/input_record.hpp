@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace mdana {
 
@@ -12,5 +14,11 @@ struct InputRecord {
   std::uint64_t size = 0;  ///< bytes on disk
   std::string hash;        ///< "xxh3:" and 32 hexadecimal digits (XXH3, 128 bit) of those bytes
 };
+
+/// The hash of bytes in memory, as InputRecord has it.
+std::string content_hash(std::string_view bytes);
+
+/// Reads the whole file. Throws InputError if it cannot be opened.
+InputRecord input_record(const std::filesystem::path& file);
 
 }  // namespace mdana

@@ -115,6 +115,20 @@ void read_masses(Reader& reader, Scene& scene) {
   }
 }
 
+/// Four numbers; anything else that stands there is not for mdana.
+std::optional<std::array<double, 4>> read_orientation(Reader& body) {
+  const toml::node* node = body.take("orientation");
+  const toml::array* list = node ? node->as_array() : nullptr;
+  if (!list || list->size() != 4) return std::nullopt;
+  std::array<double, 4> turn{};
+  for (std::size_t k = 0; k < turn.size(); ++k) {
+    const auto value = list->get(k)->value<double>();
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    turn[k] = *value;
+  }
+  return turn;
+}
+
 void read_bodies(Reader& reader, Scene& scene) {
   const toml::node* node = reader.take("body");
   if (!node) return;
@@ -123,7 +137,8 @@ void read_bodies(Reader& reader, Scene& scene) {
     Reader body(*entry.as_table(), reader.path(), "body.");
     if (const auto radius = body.positive("radius")) scene.radii.push_back(*radius);
     scene.radius_definition = body.text("radius_definition");
-    for (const char* key : {"name", "type", "atoms", "orientation"}) body.ignore(key);
+    if (const auto turn = read_orientation(body)) scene.orientations.push_back(*turn);
+    for (const char* key : {"name", "type", "atoms"}) body.ignore(key);
     body.finish();
   }
   if (!scene.radii.empty() && scene.radii.size() != node->as_array()->size())
@@ -185,8 +200,11 @@ Scene read(const toml::table& table, const std::filesystem::path& file) {
   read_material(reader, scene);
   read_aggregate(reader, scene);
   read_grains(reader, scene);
-  if (const toml::table* generator = subtable(reader, "generator"))
-    scene.impact_velocity = Reader(*generator, reader.path(), "generator.").number("velocity");
+  if (const toml::table* made = subtable(reader, "generator")) {
+    Reader generator(*made, reader.path(), "generator.");
+    scene.impact_velocity = generator.number("velocity");
+    if (const toml::node* seed = generator.take("seed")) scene.seed = seed->value<double>();
+  }
   reader.finish();
   return scene;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -47,6 +48,8 @@ struct Scene {
   std::optional<double> filling_factor;      ///< of the aggregates as made, grains (r/R)^3
   Grains grains;                             ///< of aggregates
   std::optional<double> impact_velocity;     ///< [velocity] as generated
+  std::optional<double> seed;                ///< of the generator
+  std::vector<std::array<double, 4>> orientations;  ///< of body 1, 2: unit quaternions w x y z
 };
 
 /// Reads a scene file. Throws InputError naming file, line and key; unknown keys outside

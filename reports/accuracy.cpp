@@ -28,13 +28,12 @@ struct Timed {
   double seconds;
 };
 
-Timed timed_run(const Run& run, const Radii& radii, bool hertz, SweepOptions options,
-                std::uint64_t stride) {
-  options.choice.stride = stride;
+Timed timed_run(const Run& run, const RunWishes& wishes, SweepOptions options, std::uint64_t stride) {
+  options.choice.stride *= stride;
   std::array<double, repetitions> seconds;
   Timed timed;
   for (double& s : seconds) {
-    timed.result = analyse_run(run, hertz ? std::nullopt : std::optional(radii), options);
+    timed.result = analyse_run(run, wishes, options);
     s = timed.result.seconds;
   }
   std::sort(seconds.begin(), seconds.end());
@@ -61,15 +60,15 @@ std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full,
                                        const SweepOptions& options) {
   std::vector<AccuracyRow> rows;
   const std::vector<PublishedValue> reference = full.numbers();
+  const RunWishes wishes = same_numbers(full);
   for (const std::uint64_t stride : strides) {
     const std::string setting = stride_text(stride);
     try {
-      const Timed timed = timed_run(run, full.radii, full.hertz.has_value(), options, stride);
-      const std::vector<PublishedValue> numbers = timed.result.numbers();
-      for (std::size_t k = 0; k < numbers.size(); ++k)
-        rows.push_back({setting, numbers[k].name, numbers[k].value.value,
-                        relative_error(numbers[k].value.value, reference[k].value.value),
-                        timed.seconds});
+      const Timed timed = timed_run(run, wishes, options, stride);
+      for (const PublishedValue& number : timed.result.numbers())
+        if (const auto known = std::ranges::find(reference, number.name, &PublishedValue::name); known != reference.end())
+          rows.push_back({setting, number.name, number.value.value,
+                          relative_error(number.value.value, known->value.value), timed.seconds});
       if (full.hertz) add_methods(rows, full, timed, setting);
     } catch (const InputError&) {
       break;  // too few frames are left at this stride and at larger ones

@@ -5,38 +5,60 @@
 #include <string>
 #include <vector>
 
+#include "analyses/restitution.hpp"
 #include "analyses/value.hpp"
 #include "reports/contact_numbers.hpp"
+#include "reports/defect_numbers.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
+#include "reports/measured_energy.hpp"
 #include "reports/run.hpp"
 
 namespace mdana {
 
-/// A published number and its name.
-struct PublishedValue {
-  std::string name;
-  Value value;
+/// What is wanted of one pass over a collision, and what the dump does not say.
+struct RunWishes {
+  std::optional<Radii> radii;  ///< place delta; without them the fitted R if it is fitted, else find_radii
+  ContactOptions contact;
+  PotentialOptions potential;
+  bool hertz = false;     ///< Hertz fit
+  bool energies = false;  ///< and how far the far sides reach; if the dump has velocities
+  bool defects = false;   ///< crystal structure of every frame, if this build has it
 };
 
-/// Everything that a report says of one pass over one run.
+/// Everything that is known of a collision from one pass over the dump.
 struct AnalysedRun {
-  MeasuredMotion measured;
+  MeasuredMotion measured;  ///< tables: motion, those of the contact radius, far_side and energy if wanted
   ForceSource source = ForceSource::velocities;
   Radii radii;
   ForceCurve curve;
-  ContactSetup contact_setup;
-  ContactNumbers contact;
-  std::optional<HertzResult> hertz;  ///< of Hertz scenes
-  double seconds = 0;                ///< reading, analyses and fits
+  Restitution restitution;
+  std::optional<ContactSetup> contact_setup;  ///< nothing: the contact radius cannot be measured
+  std::string no_contact_setup;               ///< why
+  std::size_t contact_tables = 0;
+  ContactNumbers contact;                     ///< with a set-up
+  std::optional<HertzResult> hertz;
+  std::optional<MeasuredEnergy> energy;
+  std::optional<DefectHistory> defects;
+  double seconds = 0;                         ///< reading, analyses and fits
 
+  bool touch() const { return contact_setup && contact.touch(); }
   const Table& contact_table() const { return measured.swept.tables[1]; }
-  std::vector<PublishedValue> numbers() const;  ///< all published numbers
+  const Table& far_side() const { return measured.swept.tables[contact_tables + 1]; }  ///< with energies
+  std::vector<PublishedValue> numbers() const;  ///< published ones of force, contact radius and fit
 };
 
-/// Force, contact radius and, for a Hertz scene, the fit, in one pass over the dump. `radii` places
-/// delta; without them it is the fitted R of a Hertz scene, else find_radii.
-AnalysedRun analyse_run(const Run& run, const std::optional<Radii>& radii,
-                        const SweepOptions& options);
+/// The wishes that give the published numbers of a run anew, and nothing else.
+RunWishes same_numbers(const AnalysedRun& analysed);
+
+/// Throws InputError.
+AnalysedRun analyse_run(const Run& run, const RunWishes& wishes, const SweepOptions& options);
+
+/// All that is told of a collision besides the Hertz fit, under the names that other programs rely on, and
+/// a table with a row a frame: force, contact radius, far sides, energies, as far as they were measured, and
+/// laws beside them. `contact` has R*, and E* and gamma or 0. `final_clusters`: look for exchanged atoms
+/// however many atoms there are; this reads frames again.
+Table add_collision(Document& document, const Run& run, const AnalysedRun& analysed, const ElasticContact& contact,
+                    const SweepOptions& sweeping, bool final_clusters);
 
 }  // namespace mdana

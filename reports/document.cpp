@@ -96,6 +96,7 @@ void Document::physical(const PhysicalUnits& material) {
 
 void Document::number(std::string_view name, const Value& value,
                       const nlohmann::ordered_json& details) {
+  numbers_.push_back({std::string(name), value});
   nlohmann::ordered_json json = mdana::to_json(value);
   std::string text = to_text(value, units_);
   if (physical_ && value.dimension != dimension::none) {

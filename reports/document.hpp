@@ -23,6 +23,12 @@ std::string to_text(const Value& value, Units units);
 /// The value in SI; its dimension must not be none.
 Value in_si(const Value& value, const PhysicalUnits& material);
 
+/// A published number and its name.
+struct PublishedValue {
+  std::string name;
+  Value value;
+};
+
 /// The result of a command: one JSON document, and the same as lines for a terminal. A name with
 /// dots ("contact_radius.gyration.max") makes nested objects.
 class Document {
@@ -51,6 +57,7 @@ class Document {
   void set_units(Units units);            ///< of several runs; throws InputError if they differ
   bool damaged() const { return damaged_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<PublishedValue>& numbers() const { return numbers_; }  ///< in the order of `number`
 
   std::string to_json() const;      ///< indented, one trailing newline
   std::string to_terminal() const;  ///< aligned lines, then warnings
@@ -64,6 +71,7 @@ class Document {
   nlohmann::ordered_json root_;
   std::vector<std::pair<std::string, std::string>> lines_;
   std::vector<std::string> warnings_;
+  std::vector<PublishedValue> numbers_;
   bool damaged_ = false;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/figure.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,15 +15,13 @@
 #include <sys/wait.h>
 
 #include "reports/atomic_file.hpp"
+#include "reports/csv.hpp"
+#include "reports/series_colours.hpp"
 
 extern char** environ;
 
 namespace mdana {
 namespace {
-
-/// Okabe & Ito's colours, told apart by every kind of colour vision.
-constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                   "#E69F00", "#56B4E9", "#000000"};
 
 /// A gnuplot string: nothing in it is interpreted.
 std::string quoted(const std::string& text) {
@@ -31,31 +31,41 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+bool has_errors(const Series& series) { return series.y_error.size() == series.y.size() && !series.y.empty(); }
+
+/// An error that is not known is not drawn.
+double error_drawn(const Series& series, std::size_t i) {
+  return std::isfinite(series.y_error[i]) ? series.y_error[i] : 0.0;
+}
+
 std::string data_block(const Series& series, std::size_t index) {
   std::string text = fmt::format("$data{} << EOD\n", index);
-  for (std::size_t i = 0; i < series.x.size(); ++i)
-    if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
-      text += fmt::format("{} {}\n", series.x[i], series.y[i]);
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
+    text += fmt::format("{} {}", series.x[i], series.y[i]);
+    if (has_errors(series)) text += fmt::format(" {}", error_drawn(series, i));
+    text += '\n';
+  }
   return text + "EOD\n";
 }
 
 std::string plot_clause(const Series& series, std::size_t index) {
-  const char* colour = colours[index % std::size(colours)];
+  const std::string_view colour = series_colours[index % series_colours.size()];
   const char* style = "";
   switch (series.style) {
     case Series::Style::line: style = "lines lw 2"; break;
     case Series::Style::dashed: style = "lines lw 2 dt 2"; break;
-    case Series::Style::points: style = "points pt 7 ps 0.5"; break;
+    case Series::Style::points: style = has_errors(series) ? "yerrorbars pt 7 ps 0.5" : "points pt 7 ps 0.5"; break;
   }
-  return fmt::format("$data{} using 1:2 with {} lc rgb '{}' title {}", index, style, colour,
-                     quoted(series.label));
+  return fmt::format("$data{} using {} with {} lc rgb '{}' title {}", index, has_errors(series) ? "1:2:3" : "1:2", style,
+                     colour, quoted(series.label));
 }
 
-/// The environment with a UTF-8 locale, for labels beyond ASCII.
+/// The environment with a UTF-8 locale, for labels beyond ASCII, and UTC, for dates of one length.
 std::vector<std::string> utf8_environment() {
-  std::vector<std::string> variables{"LC_ALL=C.UTF-8"};
+  std::vector<std::string> variables{"LC_ALL=C.UTF-8", "TZ=UTC"};
   for (char** v = environ; *v; ++v)
-    if (std::strncmp(*v, "LC_ALL=", 7) != 0) variables.emplace_back(*v);
+    if (std::strncmp(*v, "LC_ALL=", 7) != 0 && std::strncmp(*v, "TZ=", 3) != 0) variables.emplace_back(*v);
   return variables;
 }
 
@@ -89,30 +99,83 @@ std::string read_text(const std::filesystem::path& path) {
   return text.str();
 }
 
-}  // namespace
+/// The PDF tells when it was made, which would make the same figure other bytes each time.
+void undate(const std::filesystem::path& pdf) {
+  constexpr std::string_view key = "/CreationDate (D:", date = "19700101000000";
+  std::string text = read_text(pdf);
+  const std::size_t at = text.find(key);
+  if (at == text.npos || at + key.size() + date.size() > text.size()) return;
+  text.replace(at + key.size(), date.size(), date);
+  write_file(pdf, text);
+}
 
-std::string gnuplot_script(const Figure& figure) {
-  std::string text = fmt::format("# gnuplot {0}.gp writes {0}.svg\n", figure.name);
-  text += "set terminal svg size 720,460 dynamic font 'Helvetica,14' background '#ffffff'\n"
-          "set encoding utf8\nset termoption noenhanced\nset grid lc rgb '#dddddd'\n";
-  text += figure.series.size() > 4 ? "set key outside right top vertical\n"
-                                   : "set key outside top center horizontal\n";
-  text += fmt::format("set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n",
-                      quoted(figure.name + ".svg"), quoted(figure.title), quoted(figure.x_label),
-                      quoted(figure.y_label));
-  if (figure.log_x) text += "set logscale x\nset format x '%.0e'\n";
-  if (figure.log_y) text += "set logscale y\nset format y '%.0e'\n";
-  for (std::size_t k = 0; k < figure.series.size(); ++k) text += data_block(figure.series[k], k);
-  text += "plot ";
+/// A range for values that are all the same, about which gnuplot would complain; empty for others.
+std::string range_command(const Figure& figure, char axis, std::vector<double> Series::*values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& series : figure.series)
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+        low = std::min(low, (series.*values)[i]), high = std::max(high, (series.*values)[i]);
+  if (low != high) return {};
+  const double margin = low == 0 ? 1 : 0.1 * std::abs(low);
+  return fmt::format("set {}range [{}:{}]\n", axis, low - margin, high + margin);
+}
+
+std::string plot_command(const Figure& figure) {
+  std::string text = "plot ";
   for (std::size_t k = 0; k < figure.series.size(); ++k)
     text += (k ? ", \\\n     " : "") + plot_clause(figure.series[k], k);
   return text + "\n";
 }
 
+}  // namespace
+
+std::string gnuplot_script(const Figure& figure) {
+  std::string text = fmt::format("# gnuplot {0}.gp writes {0}.svg and {0}.pdf\n", figure.name);
+  text += "set encoding utf8\nset termoption noenhanced\nset grid lc rgb '#dddddd'\n";
+  text += figure.series.size() > 4 ? "set key outside right top vertical\n"
+                                   : "set key outside top center horizontal\n";
+  text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(figure.title), quoted(figure.x_label),
+                      quoted(figure.y_label));
+  if (figure.log_x) text += "set logscale x\nset format x '%.0e'\n";
+  if (figure.log_y) text += "set logscale y\nset format y '%.0e'\n";
+  text += range_command(figure, 'x', &Series::x) + range_command(figure, 'y', &Series::y);
+  for (std::size_t k = 0; k < figure.series.size(); ++k) text += data_block(figure.series[k], k);
+  text += fmt::format("set terminal svg size 720,460 dynamic noenhanced font 'Helvetica,14' background '#ffffff'\n"
+                      "set output {}\n", quoted(figure.name + ".svg")) + plot_command(figure);
+  text += fmt::format("set terminal pdfcairo size 16cm,10.2cm noenhanced font 'Helvetica,12'\nset output {}\n",
+                      quoted(figure.name + ".pdf")) + plot_command(figure);
+  return text;
+}
+
+Table figure_table(const Figure& figure) {
+  std::vector<std::string> labels;
+  std::vector<double> series, x, y, error;
+  bool any_error = false;
+  for (const Series& s : figure.series) {
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      series.push_back(static_cast<double>(labels.size()));
+      x.push_back(s.x[i]);
+      y.push_back(s.y[i]);
+      error.push_back(has_errors(s) ? s.y_error[i] : std::numeric_limits<double>::quiet_NaN());
+    }
+    any_error = any_error || has_errors(s);
+    labels.push_back(s.label);
+  }
+  Table table;
+  if (!labels.empty()) table.add_column({"series", dimension::none, std::move(labels)}, std::move(series));
+  table.add_column({figure.x_name, dimension::none}, std::move(x));
+  table.add_column({figure.y_name, dimension::none}, std::move(y));
+  if (any_error) table.add_column({figure.y_name + "_error", dimension::none}, std::move(error));
+  return table;
+}
+
 std::string draw(const Figure& figure, const std::filesystem::path& directory) {
   const std::string script = figure.name + ".gp";
   write_file(directory / script, gnuplot_script(figure));
+  write_file(directory / (figure.name + ".csv"), to_csv(figure_table(figure)));
   if (!run_gnuplot(directory, script)) return {};
+  undate(directory / (figure.name + ".pdf"));
   return read_text(directory / (figure.name + ".svg"));
 }
 

@@ -8,6 +8,17 @@
 namespace mdana::html {
 namespace {
 
+/// The source expression of CSP for a text known by its hash.
+std::string policy_source(const Trusted& trusted) {
+  if (trusted.text.empty()) return "'none'";
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < trusted.sha256.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(trusted.sha256.substr(i, 2)), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+}  // namespace
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -21,8 +32,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string escape(std::string_view text) {
   std::string result;
@@ -72,20 +81,31 @@ std::string list(const std::vector<std::string>& items) {
   return element("ul", content);
 }
 
-std::string picture(std::string_view svg, std::string_view alt, std::string_view caption) {
-  const std::string image = fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">",
-                                        escape(alt), base64(svg));
-  return element("figure", image + element("figcaption", escape(caption)));
+std::string picture(std::string_view svg, std::string_view alt) {
+  if (svg.empty()) return {};
+  return fmt::format("<img alt=\"{}\" loading=\"lazy\" src=\"data:image/svg+xml;base64,{}\">", escape(alt),
+                     base64(svg));
 }
 
-std::string page(std::string_view title, std::string_view style, std::string_view body) {
+std::string section_of(std::string_view run, std::string_view content) {
+  return element("section", content, fmt::format("class=\"run\" data-run=\"{}\"", escape(run)));
+}
+
+std::string data_block(std::string_view id, std::string_view json) {
+  std::string text;
+  for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return element("script", text, fmt::format("type=\"application/json\" id=\"{}\"", escape(id)));
+}
+
+std::string page(std::string_view title, const Trusted& style, std::string_view body, const Trusted& script) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
-      "<main>\n{}</main>\n</body>\n</html>\n",
-      escape(title), style, body);
+      "style-src {}; script-src {}; base-uri 'none'; form-action 'none'\">\n<title>{}</title>\n"
+      "<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n{}</body>\n</html>\n",
+      policy_source(style), policy_source(script), escape(title), style.text, body,
+      script.text.empty() ? "" : fmt::format("<script>{}</script>\n", script.text));
 }
 
 }  // namespace mdana::html

@@ -7,6 +7,8 @@
 
 namespace mdana::html {
 
+std::string base64(std::string_view bytes);
+
 /// Text with everything that HTML would interpret escaped.
 std::string escape(std::string_view text);
 
@@ -25,10 +27,23 @@ std::string table(const std::vector<std::string>& head,
 /// A list of plain-text items.
 std::string list(const std::vector<std::string>& items);
 
-/// An SVG picture within the page, with its caption; `alt` tells what it shows.
-std::string picture(std::string_view svg, std::string_view alt, std::string_view caption);
+/// An SVG picture within the page; `alt` tells what it shows. Empty without SVG.
+std::string picture(std::string_view svg, std::string_view alt);
 
-/// A whole page: title, style sheet, body (HTML). No scripts, nothing loaded from elsewhere.
-std::string page(std::string_view title, std::string_view style, std::string_view body);
+/// A section on one run, which the page's script links with its figures and tables.
+std::string section_of(std::string_view run, std::string_view content);
+
+/// Text for a JSON block of the page, which its script reads by its id.
+std::string data_block(std::string_view id, std::string_view json);
+
+/// A style sheet or a script, and its SHA-256 (hexadecimal) by which the page's policy lets it pass.
+struct Trusted {
+  std::string_view text, sha256;
+};
+
+/// A whole page: title, style sheet, body (HTML), and a script if its text is not empty. Its content
+/// security policy lets only these pass, and nothing is loaded from elsewhere.
+std::string page(std::string_view title, const Trusted& style, std::string_view body,
+                 const Trusted& script = {});
 
 }  // namespace mdana::html

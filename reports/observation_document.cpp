@@ -139,7 +139,7 @@ ObservedDocument parse_observed_document(std::string_view text, const std::strin
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded()) throw InputError(fmt::format("{}: not JSON as a whole", place));
   const std::string command = word(document, "command");
-  const bool collision = command == "collision" || command == "force";
+  const bool collision = command == "collision" || command == "force" || (command == "report" && !document.contains("runs"));
   if (collision && wanted == Wanted::motion) return {{motion_of(document, place, rows)}, "motion"};
   if (collision) return {{collision_of(document, place, wanted)}, "collision"};
   if (command == "compress") return {compressions_of(document, place), command};

@@ -56,6 +56,7 @@ struct Radii {
   double sum_error = 0;  ///< standard error of R1 + R2 [length]; 0 if they are given
   bool given = false;    ///< by option or scene, not measured
   double sum() const { return value[0] + value[1]; }
+  double reduced() const { return value[0] * (value[1] / sum()); }  ///< R*
 };
 
 /// The units that option, dump or scene state, and which of them. Throws InputError if none states

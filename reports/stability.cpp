@@ -13,10 +13,10 @@ std::vector<StabilityRow> stability_rows(const Run& run, const AnalysedRun& full
   for (int seed = 1; seed <= stability_repetitions; ++seed) {
     SweepOptions moved = options;
     moved.last_digit_seed = static_cast<std::uint64_t>(seed);
-    const auto radii = full.hertz ? std::nullopt : std::optional(full.radii);
-    const std::vector<PublishedValue> numbers = analyse_run(run, radii, moved).numbers();
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      rows[k].change = std::max(rows[k].change, std::abs(numbers[k].value.value - rows[k].value));
+    const std::vector<PublishedValue> numbers = analyse_run(run, same_numbers(full), moved).numbers();
+    for (StabilityRow& row : rows)
+      if (const auto n = std::ranges::find(numbers, row.quantity, &PublishedValue::name); n != numbers.end())
+        row.change = std::max(row.change, std::abs(n->value.value - row.value));
   }
   for (StabilityRow& row : rows)
     row.digits = row.change == 0

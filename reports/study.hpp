@@ -1,62 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "fits/force_law.hpp"
-#include "reports/accuracy.hpp"
-#include "reports/analysed_run.hpp"
-#include "reports/stability.hpp"
-#include "reports/study_aggregates.hpp"
+#include "analyses/sweep.hpp"
 
 namespace mdana {
 
-/// What was not computed for a run, and why.
-struct LeftOut {
-  std::string what, reason;
+/// What is done with every run, and with all together.
+struct StudySettings {
+  bool accuracy = true;           ///< error of each number against run time: twelve passes more
+  bool stability = true;          ///< digits that the printed digits of the dump fix: four passes more
+  bool defects = true;            ///< crystal structure of spheres
+  std::vector<std::string> laws;  ///< of collisions, fitted to the e and sticking of each group
+  bool sizes = true;              ///< E* against R of the Hertz runs
+  bool aggregates = true;         ///< E* and Y of the aggregates together
+  std::vector<std::string> figures;  ///< kinds of pooled figures; empty: all that there are data for
 };
 
-/// A contact law drawn over the measured curves.
-struct Overlay {
-  const ForceLaw* law = nullptr;
-  ElasticContact contact;
-  std::string source;  ///< where its constants come from
+/// A run as study.toml has it. Paths count from the directory of the study.
+struct PlannedRun {
+  std::string name, group;
+  std::filesystem::path scene;
+  std::string frames;         ///< as --frames; empty: all
+  std::filesystem::path log;  ///< of LAMMPS, for potential energies; empty: none
 };
 
-/// One run of a study with all that the report says of it.
-struct StudyRun {
-  std::string name;
-  std::filesystem::path dump;
-  std::optional<Run> run;               ///< with `result`, unless the run failed
-  std::optional<AnalysedRun> result;
-  std::optional<Overlay> overlay;
-  std::vector<AccuracyRow> accuracy;
-  std::vector<StabilityRow> stability;
-  std::vector<LeftOut> left_out;
-  std::vector<std::string> warnings;
-  std::string failure;                  ///< why there is no result
+struct StudyPlan {
+  std::filesystem::path directory;  ///< absolute
+  std::filesystem::path file;       ///< study.toml; empty: the runs were looked for
+  std::string title;
+  StudySettings settings;
+  std::vector<PlannedRun> runs;     ///< names differ
 };
 
-struct Study {
-  std::filesystem::path directory;
-  std::vector<StudyRun> runs;           ///< Hertz scenes first, then by name
-  std::vector<AggregateRun> aggregates;
-  AggregatesTogether together;          ///< the aggregates
+/// A study file, or the scene files in and below a directory. Throws InputError with file, line and key.
+StudyPlan read_study(const std::filesystem::path& input);
+
+/// The same as a study file to be edited, with comments; it names dumps that no scene file names.
+std::string study_toml(const StudyPlan& plan);
+
+struct ReportOptions {
+  std::filesystem::path input, output;
+  std::string only;          ///< runs by name, * and ? stand for anything; empty: all
+  std::size_t jobs = 1;      ///< runs at a time
+  SweepOptions sweeping;     ///< threads: of all runs together
+  std::function<void(const std::string&)> tell;  ///< a line on what is being done
 };
 
-/// The scene files in the directory and in its subdirectories (one level), and their dumps.
-/// Throws InputError if there is none.
-Study find_study(const std::filesystem::path& directory);
+/// What would be run, and why, a line a run.
+std::string planned_report(const ReportOptions& options);
 
-/// Analyses every run. Adhesive runs take E* and R from a Hertz run of the study whose scene has the
-/// same radius. A run that fails keeps its reason and does not stop the others. `progress` is told
-/// what is being done.
-void analyse_study(Study& study, const SweepOptions& options,
-                   const std::function<void(const std::string&)>& progress);
+struct ReportDone {
+  std::string json;                   ///< results.json
+  std::vector<std::string> failures;  ///< "NAME: reason"
+  bool damaged = false;               ///< some input was
+};
+
+/// Runs what is not in the cache of the output, or was made from something else, and writes the report.
+/// A run that fails does not stop the others. What is done is kept whenever the program ends. Throws
+/// InputError, also if another process writes there, and Interrupted. The working directory is that of the
+/// study afterwards, from which paths in results count.
+ReportDone make_report(const ReportOptions& options);
+
+/// What a report and the files that it was made from are now, a line for each that differs.
+struct Verified {
+  std::vector<std::string> changes;
+  std::size_t inputs = 0, outputs = 0;  ///< files looked at
+};
+/// Throws InputError if there is no report.
+Verified verify_report(const std::filesystem::path& output);
 
 }  // namespace mdana

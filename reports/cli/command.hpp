@@ -42,7 +42,7 @@ using Values = boost::program_options::variables_map;
 /// `extern const Command <name>_command`. Help is printed from this table.
 struct Command {
   std::string_view name;
-  std::string_view positional;  ///< "DUMP"; "DUMP..." takes several: `input` and the list `more`
+  std::string_view positional;  ///< "DUMP"; "DUMP..." takes several: `input` and the list `more`; "[DUMP]" need not be
   std::string_view summary;
   std::string_view description;
   std::string_view examples;    ///< one command line a line

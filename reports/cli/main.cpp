@@ -52,7 +52,7 @@ Values parse(const Command& command, int argc, char** argv) {
   all.add(visible).add_options()("input", po::value<std::string>());
   po::positional_options_description positional;
   positional.add("input", 1);
-  if (command.positional.ends_with("...")) {
+  if (command.positional.find("...") != std::string_view::npos) {
     all.add_options()("more", po::value<std::vector<std::string>>());
     positional.add("more", -1);
   }
@@ -68,7 +68,7 @@ int run(const Command& command, int argc, char** argv) {
     return done;
   }
   po::notify(values);  // required options; after help, which needs none
-  if (!command.positional.empty() && !values.count("input"))
+  if (!command.positional.empty() && command.positional[0] != '[' && !values.count("input"))
     throw UsageError(fmt::format("{} is missing", command.positional));
   if (command.positional.empty() && values.count("input"))
     throw UsageError(fmt::format("{}: {} reads no file", values["input"].as<std::string>(), command.name));

@@ -72,8 +72,8 @@ class Results(Case):
             self.assertEqual(list(file["table/F"].attrs["dimension"]), [1, 1, -2])
 
     def test_lines_of_the_readme(self):
-        lines, = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
-        self.assertIn("force.h5", lines)
+        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+        lines, = [block for block in blocks if "force.h5" in block]
         names = {}
         exec(lines.replace("force.h5", str(self.write("force", ".h5"))), names)
         told = json.loads(self.write("force", ".json").read_text(encoding="utf-8"))

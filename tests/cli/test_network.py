@@ -204,8 +204,9 @@ class Network(Case):
             self.assertEqual(by_name[name]["delta_max"], compressed["delta_max"])
             self.assertEqual(by_name[name]["coordination"], compressed["coordination"])
             self.assertIn("lattice defects", by_name[name]["left_out"][-1]["what"])
-            self.assertTrue((self.dir / "report" / f"{name}.csv").is_file())
-        self.assertFalse(results["aggregates"]["usable"])  # two runs of one velocity
+            self.assertTrue((self.dir / "report" / "runs" / name / "approach.csv").is_file())
+        [together] = results["aggregates"]
+        self.assertFalse(together["usable"])  # two runs of one velocity
         page = (self.dir / "report" / "index.html").read_text(encoding="utf-8")
         for text in ("delta_max", "no solid sphere", "Aggregates together", "relative velocity against time"):
             self.assertIn(text, page)

@@ -23,6 +23,9 @@ OPTIONS = {
     "predict": ["--law", "--parameter", "-p", "--trajectory", "--sensitivities", "--sticking-velocity", "--peak",
                 "--tolerance", "--time-limit", "--json", "--output", "-o", "--help"],
     "law": ["--law", "--parameter", "-p", "--delta", "--profile", "--delta-max", "--json", "--output", "-o", "--help"],
+    "study": ["--print", "--force", "--output", "-o", "--help"],
+    "report": ["--jobs", "--only", "--dry-run", "--threads", "--memory", "--json", "--output", "-o", "--help"],
+    "plot": ["--list", "--units", "--title", "--output", "-o", "--help"],
     "stability": ["--json", "--output", "-o", "--help"],
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss",
                                 "--weights"],
@@ -75,7 +78,7 @@ class Help(Case):
         for command in self.commands():
             for line in examples(self.mdana(command, "--help").stdout):
                 with self.subTest(line):
-                    there = "sample-data" in line or command in WITHOUT_INPUT
+                    there = "sample-data" in line or "--list" in line or command in WITHOUT_INPUT
                     done = self.mdana(*shlex.split(line)[1:], cwd=self.dir, code=0 if there else 1)
                     if there:
                         with_sample.add(command)
@@ -109,6 +112,11 @@ class Usage(Case):
             ("contact-radius", ["contact-radius", SAMPLE, "--layer", "0"]),
             ("contact-radius", ["contact-radius", SAMPLE, "--layer", "nan"]),
             ("contact-radius", ["contact-radius", SAMPLE, "--layer", "inf"]),
+            ("report", ["report", SAMPLE.parent]),
+            ("report", ["report", SAMPLE.parent, "-o", "out", "--jobs", "-1"]),
+            ("study", ["study", "init"]),
+            ("study", ["study", "list", SAMPLE.parent]),
+            ("study", ["study", "init", SAMPLE.parent, "-o", "elsewhere.toml"]),
             ("fit-hertz", ["fit-hertz", SAMPLE, "--method", "other"]),
             ("fit-hertz", ["fit-hertz", SAMPLE, "--phase", "unloading"]),
             ("fit-hertz", ["fit-hertz", SAMPLE, "--loss", "l1"]),

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/csv_table.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "readers/input_error.hpp"
+#include "reports/csv_text.hpp"
+#include "reports/whole_file.hpp"
+
+namespace mdana {
+namespace {
+
+/// Nothing if the cell is no number; NaN if it is empty.
+std::optional<double> number_of(std::string_view cell, std::string_view name, const std::string& place) {
+  if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+  try {
+    return csv_number(cell, name, place);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void add_labels(Table& table, const CsvText& text, std::string_view name) {
+  std::vector<std::string> labels;
+  std::vector<double> values;
+  for (const CsvText::Row& row : text.rows) {
+    const std::string label(text.cell(row, name));
+    auto at = std::ranges::find(labels, label);
+    if (at == labels.end()) at = labels.insert(at, label);
+    values.push_back(static_cast<double>(at - labels.begin()));
+  }
+  table.add_column({std::string(name), dimension::none, std::move(labels)}, std::move(values));
+}
+
+void add_column(Table& table, const CsvText& text, std::string_view name) {
+  std::vector<double> values;
+  for (const CsvText::Row& row : text.rows) {
+    const auto number = number_of(text.cell(row, name), name, row.place);
+    if (!number) return add_labels(table, text, name);
+    values.push_back(*number);
+  }
+  table.add_column({std::string(name), dimension::none}, std::move(values));
+}
+
+}  // namespace
+
+Table read_csv_table(const std::filesystem::path& file) {
+  const WholeFile whole = read_whole(file);
+  const CsvText text = read_csv(whole.text, file.string());
+  Table table;
+  for (const std::string_view name : text.names) add_column(table, text, name);
+  return table;
+}
+
+}  // namespace mdana

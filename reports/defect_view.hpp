@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include "analyses/defects.hpp"
+
+namespace mdana {
+
+/// What a 3-D view shows of a frame; all positions [length].
+struct ViewedAtoms {
+  std::string name, colour;  ///< of their kind; "#rrggbb"
+  double diameter = 1;       ///< [length]
+  std::vector<Eigen::Vector3d> at;
+};
+struct ViewedLine {
+  std::string name, colour;
+  std::string burgers;  ///< vector, as text; may be empty
+  double length = 0;    ///< [length]; 0: not told
+  std::vector<Eigen::Vector3d> at;
+};
+struct ViewedPlane {
+  std::string name, colour;
+  double area = 0;  ///< [length^2]
+  std::vector<Eigen::Vector3d> corners;
+};
+struct ViewedFrame {
+  std::string label;
+  std::vector<ViewedAtoms> atoms;
+  std::vector<ViewedLine> lines;
+  std::vector<ViewedPlane> planes;
+};
+
+/// Chosen frames of a run in three dimensions.
+struct DefectView {
+  std::string name;  ///< unlike those of the other views of a page: letters, digits, '-' and '_'
+  std::string title, alt;
+  std::string unit;  ///< of length
+  std::vector<ViewedFrame> frames;
+};
+
+/// A dislocation with the colour of its family: perfect blue, Shockley green, stair-rod magenta, Hirth
+/// yellow, Frank cyan, any other red.
+ViewedLine viewed_line(std::string_view family, std::vector<Eigen::Vector3d> at);
+
+/// hcp atoms, bulk defects and fault planes of a frame. `spacing` of nearest neighbours [length].
+ViewedFrame viewed_frame(const FrameAtoms& atoms, const FrameDefects& defects, double spacing,
+                         std::string label);
+
+/// {title, alt, unit, frames: [{label, atoms: [{name, colour, diameter, at}], lines: [{name, colour, burgers,
+/// length, at}], planes: [{name, colour, area, at}]}]}; `at` is {origin: [x, y, z], step, int16: base64 of
+/// little-endian (at - origin)/step, three an atom, corner or point}.
+nlohmann::ordered_json view_json(const DefectView& view);
+
+/// The frame seen as the view is at first, as SVG.
+std::string still_picture(const ViewedFrame& frame);
+
+/// The view for a page: a still picture of its first frame, caption and, where the page has a script, its
+/// data as the block scene-NAME.
+std::string live_view(const DefectView& view);
+
+}  // namespace mdana
