@@ -45,10 +45,10 @@ struct DislocationSegment {
   /// In the axes of the body's lattice (if aligned) [lattice constants]; exact. From finish to start of a circuit
   /// that is closed in the crystal, right-handed about the direction of the points, drawn in the ideal crystal (FS/RH;
   /// Hirth & Lothe, Theory of Dislocations, 1982).
-  Eigen::Vector3d burgers;
-  Eigen::Vector3d burgers_here;  ///< the same in the axes of the crystal about the line, which may be a twin
-  Eigen::Matrix3d turn;          ///< from burgers_here to burgers
-  Eigen::Matrix3d crystal;       ///< from burgers_here to [length], with the mean strain about the line
+  Eigen::Vector3d burgers = Eigen::Vector3d::Zero();
+  Eigen::Vector3d burgers_here = Eigen::Vector3d::Zero();  ///< the same in the axes of the crystal about the line, which may be a twin
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();     ///< from burgers_here to burgers
+  Eigen::Matrix3d crystal = Eigen::Matrix3d::Identity();  ///< from burgers_here to [length], with the mean strain about the line
   bool aligned = true;           ///< else the axes are those of a grain of its own
   bool in_twin = false;          ///< the axes of burgers_here are not those of the body's lattice
   LineFamily family = LineFamily::other;      ///< of burgers_here

@@ -64,7 +64,7 @@ class Pass {
     result_.defects.emplace();
     DefectSettings settings;
     settings.ids = run_.first.has_column("id");
-    settings.product = [this](const FrameHeader&, const FrameAtoms&, const FrameDefects& found) {
+    settings.product = [this](const FrameHeader&, const FrameDefects& found) {
       result_.defects->planes.push_back(found.planes);
     };
     analyses_.push_back(make_defects(std::move(settings)));

@@ -87,16 +87,18 @@ ViewedLine viewed_line(std::string_view family, std::vector<Vector3d> at) {
   return {std::string(found->shown), std::string(found->colour), {}, 0, std::move(at)};
 }
 
-ViewedFrame viewed_frame(const FrameAtoms& atoms, const FrameDefects& defects, double spacing,
-                         std::string label) {
+ViewedFrame viewed_frame(const FrameDefects& defects, std::string label) {
   ViewedFrame frame{std::move(label), {}, {}, {}};
-  ViewedAtoms hcp{"hcp atoms", "#e0574f", 0.8 * spacing, {}}, bulk{"bulk defects", "#c9a227", 0.8 * spacing, {}};
-  const std::size_t labelled = std::min(atoms.size(), defects.labels.structure.size());
-  for (std::size_t i = 0; i < labelled; ++i)
-    if (defects.labels.structure[i] == Structure::hcp)
-      hcp.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
-    else if (defects.labels.site[i] == Site::bulk_defect)
-      bulk.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
+  const double diameter = 0.8 * defects.spacing;
+  ViewedAtoms hcp{"hcp atoms", "#e0574f", diameter, {}}, bulk{"bulk defects", "#c9a227", diameter, {}};
+  if (defects.atoms)
+    defects.atoms->for_blocks([&](const FrameAtoms& atoms, const AtomLabels& labels) {
+      for (std::size_t i = 0; i < atoms.size(); ++i)
+        if (labels.structure[i] == Structure::hcp)
+          hcp.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
+        else if (labels.site[i] == Site::bulk_defect)
+          bulk.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
+    });
   add_if_any(frame, std::move(hcp));
   add_if_any(frame, std::move(bulk));
   const PolyData discs = fault_picture(defects.planes);
@@ -105,6 +107,12 @@ ViewedFrame viewed_frame(const FrameAtoms& atoms, const FrameDefects& defects, d
     ViewedPlane viewed{shown_name(plane.kind), colour(plane.kind), plane.area, {}};
     for (const std::uint32_t corner : discs.polygons[k]) viewed.corners.push_back(discs.points[corner]);
     frame.planes.push_back(std::move(viewed));
+  }
+  for (const DislocationSegment& s : defects.lines.segments) {
+    ViewedLine line = viewed_line(name(s.family), s.points);
+    line.burgers = fmt::format("[{:.3g} {:.3g} {:.3g}]", s.burgers.x(), s.burgers.y(), s.burgers.z());
+    line.length = s.length.value;
+    frame.lines.push_back(std::move(line));
   }
   return frame;
 }

@@ -48,9 +48,8 @@ struct DefectView {
 /// yellow, Frank cyan, any other red.
 ViewedLine viewed_line(std::string_view family, std::vector<Eigen::Vector3d> at);
 
-/// hcp atoms, bulk defects and fault planes of a frame. `spacing` of nearest neighbours [length].
-ViewedFrame viewed_frame(const FrameAtoms& atoms, const FrameDefects& defects, double spacing,
-                         std::string label);
+/// hcp atoms and bulk defects (if there are labels), fault planes and dislocation lines of a frame.
+ViewedFrame viewed_frame(const FrameDefects& defects, std::string label);
 
 /// {title, alt, unit, frames: [{label, atoms: [{name, colour, diameter, at}], lines: [{name, colour, burgers,
 /// length, at}], planes: [{name, colour, area, at}]}]}; `at` is {origin: [x, y, z], step, int16: base64 of

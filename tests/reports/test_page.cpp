@@ -110,18 +110,39 @@ TEST(DefectView, PacksPositionsIn16Bits) {
   EXPECT_EQ(viewed_line("no such family", {}).colour, "#e02020");
 }
 
+/// Three atoms along x: fcc, hcp, bulk defect.
+struct ThreeAtoms : LabelledAtoms {
+  std::size_t size() const override { return 3; }
+  void for_blocks(const std::function<void(const FrameAtoms&, const AtomLabels&)>& use) const override {
+    AtomLabels labels;
+    labels.structure = {Structure::fcc, Structure::hcp, Structure::other};
+    labels.site = {Site::crystal, Site::crystal, Site::bulk_defect};
+    use({{0, 1, 2}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {}, {}}, labels);
+  }
+};
+
 TEST(DefectView, ShowsHcpAtomsDefectsAndFaults) {
-  FrameAtoms atoms{{0, 1, 2}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {}, {}};
   FrameDefects defects;
-  defects.labels.structure = {Structure::fcc, Structure::hcp, Structure::other};
-  defects.labels.site = {Site::crystal, Site::crystal, Site::bulk_defect};
+  defects.atoms = std::make_shared<ThreeAtoms>();
+  defects.spacing = 1.1;
+  DislocationSegment segment;
+  segment.family = LineFamily::shockley;
+  segment.burgers = {1.0 / 6, 1.0 / 6, -1.0 / 3};
+  segment.points = {{0, 0, 0}, {2, 0, 0}};
+  segment.length = {2, 0.1, dimension::length};
+  defects.lines.segments.push_back(segment);
   defects.planes.push_back({PlanarFault::twin, 1, {0, 0, 1}, {5, 5, 5}, 4, 0, 9});
-  const ViewedFrame frame = viewed_frame(atoms, defects, 1.1, "step 7");
+  const ViewedFrame frame = viewed_frame(defects, "step 7");
   ASSERT_EQ(frame.atoms.size(), 2u);
   EXPECT_EQ(frame.atoms[0].at, (std::vector<Eigen::Vector3d>{{1, 0, 0}}));
   EXPECT_EQ(frame.atoms[1].at, (std::vector<Eigen::Vector3d>{{2, 0, 0}}));
+  EXPECT_DOUBLE_EQ(frame.atoms[0].diameter, 0.88);
   ASSERT_EQ(frame.planes.size(), 1u);
   EXPECT_EQ(frame.planes[0].area, 4);
+  ASSERT_EQ(frame.lines.size(), 1u);
+  EXPECT_EQ(frame.lines[0].name, "Shockley partials");
+  EXPECT_EQ(frame.lines[0].burgers, "[0.167 0.167 -0.333]");
+  EXPECT_EQ(frame.lines[0].length, 2);
   double area = 0;  // of the polygon, in the plane z = 5
   const auto& c = frame.planes[0].corners;
   for (std::size_t k = 0; k < c.size(); ++k) {
