@@ -98,14 +98,23 @@ Eigen::Vector3d LineTracks::followed(const DislocationSegment& segment, const Li
 std::vector<std::uint32_t> LineTracks::add(const LineFrame& frame) {
   follow_lattices(frame);
   std::vector<Seen> now;
-  std::vector<Points> shapes, last_shapes;
   for (const DislocationSegment& s : frame.lines.segments) {
-    now.push_back({s, followed(s, frame), ~0u});
-    for (auto& p : now.back().segment.points) p -= frame.centre[s.body - 1u];
-    shapes.push_back(evenly(now.back().segment.points));
+    now.push_back({s, followed(s, frame), evenly(s.points)});
+    for (auto& p : now.back().shape) p -= frame.centre[s.body - 1u];
   }
-  for (const Seen& s : last_) last_shapes.push_back(evenly(s.segment.points));
+  go_on(now, frame);
+  std::vector<std::uint32_t> found;
+  for (Seen& seen : now) {
+    note(seen);
+    found.push_back(seen.track);
+  }
+  last_ = std::move(now);
+  ++frames_;
+  return found;
+}
 
+/// Gives tracks of the last frame to the segments, nearest first.
+void LineTracks::go_on(std::vector<Seen>& now, const LineFrame& frame) {
   struct Pair {
     double distance;
     std::size_t before, now;
@@ -116,37 +125,35 @@ std::vector<std::uint32_t> LineTracks::add(const LineFrame& frame) {
     for (std::size_t k = 0; k < now.size(); ++k) {
       const bool straight = same(last_[i].burgers, now[k].burgers), turned = same(last_[i].burgers, -now[k].burgers);
       if (last_[i].segment.body != now[k].segment.body || (!straight && !turned)) continue;
-      const double d = distance(last_shapes[i], shapes[k]);
+      const double d = distance(last_[i].shape, now[k].shape);
       if (d < farthest * frame.spacing) pairs.push_back({d, i, k, turned});
     }
   std::ranges::stable_sort(pairs, {}, &Pair::distance);
   std::vector<char> gone(last_.size());
   for (const Pair& pair : pairs) {
-    if (gone[pair.before] || now[pair.now].track != ~0u) continue;
+    if (gone[pair.before] || now[pair.now].track != no_track) continue;
     gone[pair.before] = 1;
     now[pair.now].track = last_[pair.before].track;
     sweep(last_[pair.before], now[pair.now], pair.turned, frame.volume[now[pair.now].segment.body - 1u]);
   }
-  std::vector<std::uint32_t> found;
-  for (Seen& s : now) {
-    if (s.track == ~0u) {
-      s.track = static_cast<std::uint32_t>(tracks_.size());
-      const Points& points = frame.lines.segments[found.size()].points;
-      tracks_.push_back({s.segment.body, s.segment.family, s.burgers, frames_, frames_, 0, points[points.size() / 2]});
-    }
-    LineTrack& track = tracks_[s.track];
-    track.last = frames_;
-    track.longest = std::max(track.longest, s.segment.length.value);
-    found.push_back(s.track);
+}
+
+/// Notes a segment of this frame in its track, or in a new one.
+void LineTracks::note(Seen& seen) {
+  const DislocationSegment& s = seen.segment;
+  if (seen.track == no_track) {
+    seen.track = static_cast<std::uint32_t>(tracks_.size());
+    tracks_.push_back({s.body, s.family, seen.burgers, frames_, frames_, 0, s.points[s.points.size() / 2]});
   }
-  last_ = std::move(now);
-  ++frames_;
-  return found;
+  LineTrack& track = tracks_[seen.track];
+  track.last = frames_;
+  track.longest = std::max(track.longest, s.length.value);
 }
 
 void LineTracks::sweep(const Seen& before, const Seen& now, bool turned, double volume) {
   if (!(volume > 0)) return;
-  Points a = evenly(before.segment.points), b = evenly(now.segment.points);
+  const Points& a = before.shape;
+  Points b = now.shape;
   if (turned) std::ranges::reverse(b);
   if (is_closed(before.segment) && is_closed(now.segment)) start_like(b, a);
   const Eigen::Vector3d area = swept_area(a, b);

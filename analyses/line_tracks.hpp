@@ -59,14 +59,18 @@ class LineTracks {
   void finish();  ///< completes and orders the slip systems; once
 
  private:
+  static constexpr std::uint32_t no_track = ~0u;
   struct Seen {
-    DislocationSegment segment;           ///< its points from the centre of its body
-    Eigen::Vector3d burgers;              ///< in the axes of the first frame
-    std::uint32_t track;
+    DislocationSegment segment;
+    Eigen::Vector3d burgers;             ///< in the axes of the first frame
+    std::vector<Eigen::Vector3d> shape;  ///< evenly along the line, from the centre of its body
+    std::uint32_t track = no_track;
   };
 
   void follow_lattices(const LineFrame& frame);
   Eigen::Vector3d followed(const DislocationSegment& segment, const LineFrame& frame) const;
+  void go_on(std::vector<Seen>& now, const LineFrame& frame);
+  void note(Seen& seen);
   void sweep(const Seen& before, const Seen& now, bool turned, double volume);
 
   std::size_t frames_ = 0;
