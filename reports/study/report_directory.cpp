@@ -110,8 +110,10 @@ void ReportDirectory::commit(const Json& study, const std::vector<InputRecord>& 
     fs::create_directories((place_ / file).parent_path());
     fs::rename(fresh_ / file, place_ / file);
   }
-  write_file(place_ / manifest_name,
+  // In there nothing is left behind by a process that is killed.
+  write_file(fresh_ / manifest_name,
              to_text(Json{{"study", study}, {"inputs", records_json(inputs)}, {"outputs", records_json(outputs)}}));
+  fs::rename(fresh_ / manifest_name, place_ / manifest_name);
 }
 
 }  // namespace mdana
