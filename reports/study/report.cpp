@@ -77,7 +77,7 @@ class Runner {
     run.seconds = done.seconds;
     run.state = done.failure.empty() ? RunState::cached : RunState::failed;
     ++anew_;
-    tell(k, done.failure.empty() ? fmt::format("done in {} ({})", brief(done.seconds), run.why) : "failed: " + done.failure);
+    tell(k, done.failure.empty() ? fmt::format("done in {} (run because: {})", brief(done.seconds), run.why) : "failed: " + done.failure);
     run.why = done.failure;
   }
 

@@ -132,4 +132,30 @@ inline Looked look(const Points& points, DefectSettings settings = {}) {
   return look(atoms_of(points), std::move(settings));
 }
 
+/// Input that has to be refused: atoms, what the message says, and the frame.
+struct Impossible {
+  Points points;
+  std::string says;
+  FrameHeader header = {};
+};
+
+inline std::vector<Impossible> impossible_input() {
+  const Points ball = fcc_ball(4);
+  std::vector<Impossible> all{{{{1, 2, 3}}, "fewer than two atoms"},
+                              {{{1, 2, 3}, {1, 2, 3}}, "fewer than two atoms"},
+                              {Points(9000, Eigen::Vector3d(1, 1, 1)), "fewer than two atoms"},
+                              {ball, "atom id 6 is not finite"},
+                              {ball, "ids 8 and 10"},
+                              {ball, "--select"},
+                              {ball, "on top of each other"},
+                              {ball, "fills the periodic box along y"}};
+  all[3].points[5].y() = std::nan("");
+  all[4].points[9] = all[4].points[7];
+  all[5].points.push_back({1e9, 0, 0});
+  all[6].points.insert(all[6].points.end(), 9000, Eigen::Vector3d(0.3, 0.3, 0.3));
+  all[7].header.box.edges = Eigen::Matrix3d::Identity() * 7.9;
+  all[7].header.box.periodic = {false, true, false};
+  return all;
+}
+
 }  // namespace mdana::test

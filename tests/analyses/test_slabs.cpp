@@ -209,29 +209,9 @@ TEST(Slabs, HoldTheFrame) {
   }
 }
 
-void expect_refused(const Points& points, const std::string& says, const FrameHeader& header = {}) {
-  EXPECT_INPUT_ERROR(test::look(*stored(*test::atoms_of(points), 1), everything(), 1, header), says);
-}
-
 TEST(Slabs, RefuseWhatTheWholeRefuses) {
-  expect_refused({{1, 2, 3}, {1, 2, 3}}, "fewer than two atoms");
-  const Points ball = test::fcc_ball(4);
-  Points wrong = ball;
-  wrong[5].y() = std::nan("");
-  expect_refused(wrong, "atom id 6 is not finite");
-  wrong = ball;
-  wrong[9] = wrong[7];
-  expect_refused(wrong, "ids 8 and 10");
-  wrong = ball;
-  wrong.push_back({1e9, 0, 0});
-  expect_refused(wrong, "--select");
-  wrong = ball;
-  wrong.insert(wrong.end(), 9000, Eigen::Vector3d(0.3, 0.3, 0.3));
-  expect_refused(wrong, "on top of each other");
-  FrameHeader header;
-  header.box.edges = Eigen::Matrix3d::Identity() * 7.9;
-  header.box.periodic = {false, true, false};
-  expect_refused(ball, "fills the periodic box along y", header);
+  for (const auto& [points, says, header] : test::impossible_input())
+    EXPECT_INPUT_ERROR(test::look(*stored(*test::atoms_of(points), 1), everything(), 1, header), says);
 }
 
 TEST(Slabs, AcrossEmptySpace) {

@@ -245,31 +245,9 @@ TEST(Structures, Misorientation) {
   EXPECT_NEAR(misorientation(Eigen::Quaterniond(twin * quarter), Eigen::Quaterniond(twin)), 0, 1e-7);
 }
 
-void expect_refused(const Points& points, const std::string& says, const FrameHeader& header = {}) {
-  EXPECT_INPUT_ERROR(look(test::atoms_of(points), {}, 1, header), says);
-}
-
 TEST(Structures, ImpossibleInputIsRefused) {
-  expect_refused({{1, 2, 3}}, "fewer than two atoms");
-  expect_refused({{1, 2, 3}, {1, 2, 3}}, "fewer than two atoms");
-  Points ball = test::fcc_ball(4);
-  Points wrong = ball;
-  wrong[5].y() = std::nan("");
-  expect_refused(wrong, "atom id 6 is not finite");
-  wrong = ball;
-  wrong[9] = wrong[7];
-  expect_refused(wrong, "ids 8 and 10");
-  wrong = ball;
-  wrong.push_back({1e9, 0, 0});
-  expect_refused(wrong, "--select");
-  expect_refused(Points(9000, Eigen::Vector3d(1, 1, 1)), "fewer than two atoms");
-  wrong = ball;
-  wrong.insert(wrong.end(), 9000, Eigen::Vector3d(0.3, 0.3, 0.3));
-  expect_refused(wrong, "on top of each other");
-  FrameHeader header;
-  header.box.edges = Eigen::Matrix3d::Identity() * 7.9;
-  header.box.periodic = {false, true, false};
-  expect_refused(ball, "fills the periodic box along y", header);
+  for (const auto& [points, says, header] : test::impossible_input())
+    EXPECT_INPUT_ERROR(look(test::atoms_of(points), {}, 1, header), says);
 }
 
 TEST(Structures, FewAtomsAreAtTheSurface) {

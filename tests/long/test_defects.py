@@ -152,6 +152,17 @@ class Small(Collision):
         print(f"contact radius {by_patch:.2f} by the patch, {of_step[last['step']]:.2f} by the area of atoms")
         self.assertLess(abs(by_patch / of_step[last["step"]] - 1), 0.5)
 
+    def test_lines(self):
+        """Nothing ends inside a crystal, and the zone gives the lines of all atoms, but for pieces at the contact plane."""
+        done = running.run("defects", self.dump, "--no-surface", "--lines-everywhere", "--json", timeout=600)
+        everywhere = [f["total_length"]["value"] for f in running.parse_json(done.stdout)["frames"]]
+        zone = [f["total_length"]["value"] for f in self.frames]
+        self.assertEqual([f["burgers_residual"] for f in self.frames], [0] * len(zone))
+        same = sum(abs(a - b) < 0.3 for a, b in zip(zone, everywhere))
+        print(f"lines of {same} of {len(zone)} frames are the same, together {sum(zone):.0f} and {sum(everywhere):.0f}")
+        self.assertGreaterEqual(same, 0.85 * len(zone))
+        self.assertLess(abs(sum(zone) / sum(everywhere) - 1), 0.05)
+
     def test_threads_change_no_bit(self):
         one, two = (running.run("defects", self.dump, "--frames", "::8", "--threads", n, "--json", timeout=300) for n in (1, 2))
         frames = [running.parse_json(done.stdout)["frames"] for done in (one, two)]

@@ -80,7 +80,6 @@ class FrameFinder {
   void set(std::uint32_t i, const LatticeTurn& turn, std::uint32_t grain) {
     crystal_.framed[i] = 1;
     crystal_.grain[i] = grain;
-    ++crystal_.grains[grain].atoms;
     for (std::size_t k = 0; k < 12; ++k) {
       IdealBond& bond = crystal_.bonds[i][k];
       bond.atom = own_[i].neighbours[k];
@@ -137,7 +136,7 @@ class FrameFinder {
   /// A grain from an atom on, first where atoms agree on all.
   void grow(std::uint32_t root) {
     const auto grain = static_cast<std::uint32_t>(crystal_.grains.size());
-    crystal_.grains.push_back({body(root), 0, false});
+    crystal_.grains.push_back({body(root), false});
     set(root, root_turn(root, crystal_.grains.back().aligned), grain);
     Steps steps;
     add_steps(steps, root);

@@ -28,7 +28,6 @@ struct IdealBond {
 /// Atoms whose lattices are known against each other: bonds lead from one to the next.
 struct Grain {
   BodyIndex body = 0;
-  std::size_t atoms = 0;
   bool aligned = false;  ///< its vectors are in the axes of the body's lattice, else in axes of its own
 };
 
