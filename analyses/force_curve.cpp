@@ -202,6 +202,7 @@ double kinetic_noise(const RelativeMotion& motion, Units units, const ForceCurve
 void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
   add(curve.force_max, noise);
   add(curve.force_min_loading, noise);
+  add(curve.delta_max, noise_of(curve.delta));
   if (curve.cycles.empty()) return;
   const double kinetic = kinetic_noise(motion, units, curve);
   const auto add_to = [&](Loop& loop, std::size_t first, std::size_t last) {

@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/known_dump.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <random>
-
-#include <fmt/format.h>
-
+#include "readers/scratch_file.hpp"
 #include "readers/trajectory.hpp"
 
 namespace mdana {
-namespace {
-
-/// A file of its own for some bytes, which is gone afterwards.
-class ScratchFile {
- public:
-  explicit ScratchFile(std::string_view bytes)
-      : path(std::filesystem::temp_directory_path() /
-             fmt::format("mdana-known-{:08x}", std::random_device{}())) {
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-  ~ScratchFile() { std::filesystem::remove(path); }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-
-  const std::filesystem::path path;
-};
-
-}  // namespace
 
 void TiltedPair::add(std::string what, double computed, double exact) {
   answers.push_back({std::move(what), computed, exact, 16});
@@ -36,7 +13,7 @@ void TiltedPair::add(std::string what, double computed, double exact) {
 TiltedPair read_tilted_pair(std::string_view bytes) {
   const ScratchFile file(bytes);
   TiltedPair pair;
-  pair.header = for_first_frame(file.path, {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
+  pair.header = for_first_frame(file.path(), {"id", "x", "y", "z"}, [&](const AtomBlock& block) {
     const auto x = block.real("x"), y = block.real("y"), z = block.real("z");
     pair.add("x inside a tilted box", x[0], -4 + 0.5 * 8 + 0.25 * 2 + 0.125 * -1);
     pair.add("y inside a tilted box", y[0], -2 + 0.25 * 4 + 0.125 * 1);

@@ -71,6 +71,9 @@ Scene find_scene(const RunOptions& options) {
   return options.scene.empty() ? scene_beside(options.dump) : load_scene(options.scene);
 }
 
+/// So many steps that the time of one is lost in rounding to a millionth.
+static bool starts_late(const FrameHeader& first) { return std::abs(first.step) > std::int64_t{1} << 32; }
+
 Run prepare_run(const RunOptions& options) {
   FrameHeader first = first_header(options.dump);
   if (first.atoms == 0)
@@ -92,6 +95,9 @@ Run prepare_run(const RunOptions& options) {
   const auto timestep = options.timestep ? options.timestep : scene.timestep;
   const std::string timestep_source =
       options.timestep ? "option" : first.time ? "dump" : scene.timestep ? "scene" : "unknown";
+  if (timestep && timestep_source != "dump" && starts_late(first))
+    warnings.push_back(fmt::format("steps begin at {}: times count from the first frame, since so many time steps "
+                                   "would round them", first.step));
   return {options.dump, format_of(options.dump), std::move(first), std::move(scene), units.units,
           units.source, timestep, timestep_source, std::move(masses), std::move(bodies),
           options.selection, std::move(warnings), options.physical};
@@ -128,8 +134,9 @@ std::vector<double> frame_times(const Run& run, const SweepResult& swept) {
   if (run.timestep_source == "dump") return swept.stated_times;
   std::vector<double> times;
   if (!run.timestep) return times;
+  const std::int64_t origin = starts_late(run.first) ? run.first.step : 0;
   for (const std::int64_t step : swept.steps)
-    times.push_back(static_cast<double>(step) * *run.timestep);
+    times.push_back(static_cast<double>(step - origin) * *run.timestep);
   return times;
 }
 

@@ -98,7 +98,8 @@ Radii find_radii(const Run& run, const RunOptions& options);
 /// sigma, else 0.5 in lj units. Throws InputError if none is known.
 double half_layer(const Run& run, std::optional<double> thickness);
 
-/// Times of the frames: by the option, else as the dump states them, else by the scene, else empty.
+/// Times of the frames: by the option, else as the dump states them, else by the scene, else empty. By steps
+/// they count from step 0, or from the first frame if that has more than 2^32 (then `warnings` says so).
 std::vector<double> frame_times(const Run& run, const SweepResult& swept);
 
 /// The best force source that the dump allows.

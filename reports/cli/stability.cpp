@@ -1,82 +1,213 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include <fmt/format.h>
 
-#include "fits/law_catalogue.hpp"
+#include "readers/input_error.hpp"
 #include "reports/cli/command.hpp"
+#include "reports/compressed.hpp"
+#include "reports/extreme.hpp"
+#include "reports/stability.hpp"
 
 namespace mdana::cli {
 namespace {
 
 namespace po = boost::program_options;
+using Json = nlohmann::ordered_json;
 
-Table law_table(const std::vector<LawCase>& cases) {
-  std::vector<std::string> laws, names;
-  Table table;
-  std::vector<double> law, index, computed, exact, digits, needed, evaluations, seconds;
-  for (const LawCase& c : cases) {
-    index.push_back(static_cast<double>(names.size()));
-    law.push_back(index.back());
-    laws.emplace_back(c.law);
-    names.push_back(c.what);
+/// What can be examined without a dump.
+struct Catalogue {
+  std::string_view name;
+  std::vector<ExtremeCase> (*cases)();
+};
+constexpr std::array<Catalogue, 3> catalogues{{{"laws", extreme_laws}, {"fits", extreme_fits}, {"dumps", extreme_dumps}}};
+
+bool is_catalogue(std::string_view what) {
+  return what == "all" || std::ranges::find(catalogues, what, &Catalogue::name) != catalogues.end();
+}
+
+/// A column of words: the rows' places in a list of labels.
+class Words {
+ public:
+  void add(const std::string& word) {
+    if (labels_.empty() || labels_.back() != word) labels_.push_back(word);
+    places_.push_back(static_cast<double>(labels_.size() - 1));
+  }
+  void move_to(Table& table, const char* name) {
+    table.add_column({name, dimension::none, std::move(labels_)}, std::move(places_));
+  }
+
+ private:
+  std::vector<std::string> labels_;
+  std::vector<double> places_;
+};
+
+Table case_table(const std::vector<ExtremeCase>& cases) {
+  Words member, what, quantity, verdict;
+  std::vector<double> computed, exact, digits, needed, condition, evaluations, seconds;
+  for (const ExtremeCase& c : cases) {
+    member.add(c.member);
+    what.add(c.what);
+    quantity.add(c.quantity);
+    verdict.add(std::string(name(c.verdict)));
     computed.push_back(c.computed);
     exact.push_back(c.exact);
     digits.push_back(c.digits);
     needed.push_back(c.needed);
+    condition.push_back(c.condition);
     evaluations.push_back(static_cast<double>(c.evaluations));
     seconds.push_back(c.seconds);
   }
-  table.add_column({"law", dimension::none, std::move(laws)}, std::move(law));
-  table.add_column({"case", dimension::none, std::move(names)}, std::move(index));
+  Table table;
+  member.move_to(table, "member");
+  what.move_to(table, "case");
+  quantity.move_to(table, "quantity");
   table.add_column({"computed", dimension::none}, std::move(computed));
   table.add_column({"exact", dimension::none}, std::move(exact));
   table.add_column({"digits", dimension::none}, std::move(digits));
   table.add_column({"needed", dimension::none}, std::move(needed));
+  table.add_column({"condition", dimension::none}, std::move(condition));
   table.add_column({"evaluations", dimension::none}, std::move(evaluations));
   table.add_column({"seconds", dimension::time}, std::move(seconds));
+  verdict.move_to(table, "verdict");
   return table;
 }
 
-nlohmann::ordered_json to_json(const LawCase& c) {
-  nlohmann::ordered_json json{{"law", c.law}, {"case", c.what}};
-  json["digits"] = c.digits;
-  json["needed"] = c.needed;
-  json["kept"] = c.kept();
-  json["unresolved"] = c.unresolved;
-  json["evaluations"] = c.evaluations;
-  json["seconds"] = c.seconds;
-  return json;
+Json to_json(const ExtremeCase& c) {
+  return {{"member", c.member},       {"case", c.what},         {"quantity", c.quantity},
+          {"computed", c.computed},   {"exact", c.exact},       {"digits", c.digits},
+          {"needed", c.needed},       {"kept", c.right()},      {"verdict", name(c.verdict)},
+          {"told", c.told},           {"condition", c.condition}, {"unresolved", c.unresolved},
+          {"evaluations", c.evaluations}, {"seconds", c.seconds}};
+}
+
+std::string in_words(const ExtremeCase& c) {
+  using Verdict = ExtremeCase::Verdict;
+  if (c.verdict == Verdict::refused) return fmt::format("{:<52} refused: {}", c.what, c.told);
+  if (c.verdict == Verdict::accepted) return fmt::format("{:<52} ACCEPTED: {:.6g} {}", c.what, c.computed, c.told);
+  if (c.quantity.empty() && !c.told.empty()) return fmt::format("{:<52} LOST: {}", c.what, c.told);
+  return fmt::format("{:<52} {:4.1f} of {:4.1f} digits{}{}{} in {:.5f} s{}", c.what, c.digits, c.needed,
+                     c.quantity.empty() ? "" : " of " + c.quantity,
+                     c.condition > 0 ? fmt::format(", condition {:.1e}", c.condition) : "",
+                     c.evaluations > 0 ? fmt::format(", {} evaluations", c.evaluations) : "", c.seconds,
+                     c.verdict == Verdict::lost ? "  LOST" : "");
+}
+
+int examine_catalogues(const Values& values, std::string_view what) {
+  Document document("stability");
+  std::vector<ExtremeCase> cases;
+  for (const Catalogue& catalogue : catalogues)
+    if (what == "all" || what == catalogue.name)
+      for (ExtremeCase& c : catalogue.cases()) cases.push_back(std::move(c));
+  Json results = Json::array();
+  long lost = 0;
+  for (const ExtremeCase& c : cases) {
+    lost += c.right() ? 0 : 1;
+    results.push_back(to_json(c));
+    document.line(c.member, in_words(c));
+  }
+  document.json("cases", cases.size());
+  document.json("lost", lost);
+  document.json("results", std::move(results));
+  document.line("cases", fmt::format("{}, {} with fewer digits than they should keep", cases.size(), lost));
+  const Table table = case_table(cases);
+  const int code = emit(values, document, &table);
+  return lost > 0 ? failed : code;
+}
+
+/// All that mdana collision or mdana compress publishes of a run, and the condition of its fit.
+struct Published {
+  std::vector<PublishedValue> numbers;
+  std::optional<double> condition;
+};
+
+Published publish(const Run& run, const RunOptions& options, const SweepOptions& sweeping) {
+  Document document("stability", run);
+  if (run.scene.interaction == Interaction::aggregate) {
+    add_compression(document, measure_compression(run, options, sweeping), Split::sign, {});
+    return {document.numbers(), {}};
+  }
+  RunWishes wishes;
+  wishes.hertz = run.scene.interaction == Interaction::hertz;
+  if (!wishes.hertz) wishes.radii = find_radii(run, options);
+  wishes.energies = true;
+  const AnalysedRun analysed = analyse_run(run, wishes, sweeping);
+  add_collision(document, run, analysed, {analysed.radii.reduced(), 0, 0}, sweeping, false);
+  if (!analysed.hertz) return {document.numbers(), {}};
+  add_hertz(document, run, *analysed.hertz);
+  return {document.numbers(), analysed.hertz->fit.fit.condition};
+}
+
+std::string verdict(const StabilityRow& row) {
+  if (!row.weak()) return "kept";
+  return row.told() ? "weak, as its error says" : "WEAK";
+}
+
+Table stability_table(const std::vector<StabilityRow>& rows) {
+  Words quantity, verdicts;
+  std::vector<double> value, error, change, digits;
+  for (const StabilityRow& row : rows) {
+    quantity.add(row.quantity);
+    verdicts.add(verdict(row));
+    value.push_back(row.value);
+    error.push_back(row.error.value_or(std::numeric_limits<double>::quiet_NaN()));
+    change.push_back(row.change);
+    digits.push_back(row.digits);
+  }
+  Table table;
+  quantity.move_to(table, "quantity");
+  table.add_column({"value", dimension::none}, std::move(value));
+  table.add_column({"error", dimension::none}, std::move(error));
+  table.add_column({"change", dimension::none}, std::move(change));
+  table.add_column({"digits", dimension::none}, std::move(digits));
+  verdicts.move_to(table, "verdict");
+  return table;
+}
+
+int examine_dump(const Values& values) {
+  const RunOptions options = run_options(values);
+  const SweepOptions sweeping = sweep_options(values);
+  const Run run = prepare_run(options);
+  require_two_bodies(run);
+  const Published full = publish(run, options, sweeping);
+  const auto again = [&](const SweepOptions& moved) { return publish(run, options, moved).numbers; };
+  const std::vector<StabilityRow> rows = stability_rows(full.numbers, again, sweeping);
+  Document document("stability", run);
+  Json results = Json::array();
+  long weak = 0;
+  for (const StabilityRow& row : rows) {
+    weak += row.weak() ? 1 : 0;
+    results.push_back({{"quantity", row.quantity}, {"value", row.value}, {"error", row.error ? Json(*row.error) : Json()},
+                       {"change", row.change}, {"digits", row.digits}, {"weak", row.weak()}, {"verdict", verdict(row)}});
+    document.line(row.quantity, fmt::format("{:<13.6g} changes by {:<9.2g} {:4.1f} digits  {}", row.value, row.change, row.digits,
+                                            verdict(row)));
+  }
+  document.json("repetitions", stability_repetitions);
+  if (full.condition) {
+    document.json("condition", {{"hertz", *full.condition}});
+    document.line("condition of the Hertz fit", fmt::format("{:.3g}", *full.condition));
+  }
+  document.json("weak", weak);
+  document.json("results", std::move(results));
+  document.line("numbers", fmt::format("{}, {} that keep fewer than {:g} digits if each number of the dump moves within its last "
+                                       "printed digit ({} repetitions)",
+                                       rows.size(), weak, StabilityRow::least_stable_digits, stability_repetitions));
+  const Table table = stability_table(rows);
+  return emit(values, document, &table);
 }
 
 void add_options(Options& options) {
-  options.add_options()                                                              //
-      ("json", po::bool_switch(), "print one JSON document on the standard output")  //
-      ("output,o", po::value<std::string>()->value_name("FILE"), output_help(true).c_str());
+  add_run_options(options);
+  add_output_options(options, true);
 }
 
 int run_command(const Values& values) {
   check_output(values, true);
   const std::string what = values["input"].as<std::string>();
-  if (what != "laws") throw UsageError(fmt::format("{}: 'laws' is what can be examined", what));
-  const std::vector<LawCase> cases = law_catalogue();
-  Document document("stability");
-  nlohmann::ordered_json results = nlohmann::ordered_json::array();
-  long lost = 0;
-  for (const LawCase& c : cases) {
-    lost += c.kept() ? 0 : 1;
-    results.push_back(to_json(c));
-    document.line(
-        std::string(c.law),
-        fmt::format("{:<52} {:4.1f} of {:4.1f} digits {:>9} evaluations in {:.5f} s{}", c.what,
-                    c.digits, c.needed, c.evaluations, c.seconds, c.kept() ? "" : "  LOST"));
-  }
-  document.json("cases", cases.size());
-  document.json("lost", lost);
-  document.json("results", std::move(results));
-  document.line("cases",
-                fmt::format("{}, {} with fewer digits than they should keep", cases.size(), lost));
-  const Table table = law_table(cases);
-  const int code = emit(values, document, &table);
-  return lost > 0 ? failed : code;
+  if (is_catalogue(what)) return examine_catalogues(values, what);
+  return examine_dump(values);
 }
 
 }  // namespace
@@ -84,14 +215,16 @@ int run_command(const Values& values) {
 extern const Command stability_command;
 const Command stability_command{
     "stability",
-    "laws",
-    "extreme cases of the contact laws against what is known of them",
-    "Computes collisions that are stiff or extreme (no dissipation, much of it, no adhesion, any "
-    "units,\n"
-    "radii from 1 to 1e9, at the limit of sticking ...) and of which something is known by "
-    "analysis:\n"
-    "digits kept, evaluations and seconds of each. Fails if one keeps fewer digits than it should.",
-    "  mdana stability laws\n"
+    "DUMP|laws|fits|dumps|all",
+    "digits that numbers keep: of your dump, and in stiff and extreme cases",
+    "Of a dump: repeats the analysis with each number moved at random within its last printed digit, and tells\n"
+    "how many digits of each published number stay. One that keeps fewer than 3 is called weak.\n"
+    "Of laws, fits, dumps, or all: computes cases that are stiff or extreme and of which something is known by\n"
+    "analysis (any units and sizes, far from the origin, on a drift, coarse, few and noisy frames, no\n"
+    "dissipation or much of it, the limit of sticking, narrow ranges, data that determine nothing ...): digits kept\n"
+    "of those that should be, and what is refused. Fails if one is lost.",
+    "  mdana stability sample-data/hertz-tiny/dump.lammpstrj.gz\n"
+    "  mdana stability all\n"
     "  mdana stability laws --json -o laws.csv",
     add_options,
     run_command};

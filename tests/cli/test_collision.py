@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`mdana collision` tells in one pass what the single commands tell."""
 
+from dataclasses import replace
+
+import dumps
 import running
 from running import SAMPLE
 
@@ -42,6 +45,19 @@ class Collision(running.Case):
                                2 / 3.141592653589793 * (plain["delta_max"]["value"] / 2.5) ** 0.5, 12)
         self.assertIn(plain["plastic"], ("no", "possible", "yes"))
         self.assertEqual(len(plain["plastic_reasons"]), 3)
+
+    def test_late_steps_do_not_round_times(self):
+        """From step 2^53 on a time in doubles would be right to 0.01 of these frames' distances."""
+        frames = [replace(f, time=None) for f in dumps.spring_bounce()[0]]
+        early = dumps.write(self.dir / "early.dump", frames)
+        late = dumps.write(self.dir / "late.dump", [replace(f, step=f.step + 2**53) for f in frames])
+        options = ("--bodies", "type", "--radius", 5, "--timestep", 0.0278)
+        told = self.document("force", late, *options)
+        self.assertTrue([w for w in told["warnings"] if "count from the first frame" in w], told["warnings"])
+        self.assertEqual(told["F_max"], self.document("force", early, *options)["F_max"])
+        times = self.table("force", late, *options)["time"]
+        self.assertEqual(times[0], 0)
+        self.assertAlmostEqual(times[5], 5 * 0.0278, 12)
 
     def test_without_velocities_the_rest_is_told(self):
         bare = self.dir / "bare.lammpstrj"

@@ -26,7 +26,7 @@ OPTIONS = {
     "study": ["--print", "--force", "--output", "-o", "--help"],
     "report": ["--jobs", "--only", "--dry-run", "--threads", "--memory", "--json", "--output", "-o", "--help"],
     "plot": ["--list", "--units", "--title", "--output", "-o", "--help"],
-    "stability": ["--json", "--output", "-o", "--help"],
+    "stability": RUN + SWEEP,
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss",
                                 "--weights"],
     "fit-force": RUN + SWEEP + ["--law", "--free", "--parameter", "--part", "--min-delta-fraction", "--loss"],
