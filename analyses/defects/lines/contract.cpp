@@ -104,8 +104,10 @@ class Contraction {
     }
     if (!(least < HUGE_VAL)) return false;
     const auto [a, b] = std::pair{segment(shortest).from, segment(shortest).to};
-    if (ends_at_lattice(network_, segment(shortest)) || (is_end(network_.nodes[a]) && is_end(network_.nodes[b])))
+    if (ends_at_lattice(network_, segment(shortest)) || (is_end(network_.nodes[a]) && is_end(network_.nodes[b]))) {
       network_.absorbed += least;
+      network_.absorbed_straight += (network_.nodes[a].at - network_.nodes[b].at).norm();
+    }
     remove(shortest);
     if (is_end(network_.nodes[a]) && is_end(network_.nodes[b])) return true;
     unite(a, b);

@@ -39,7 +39,8 @@ struct LineSegment {
 struct LineNetwork {
   std::vector<LineNode> nodes;
   std::vector<LineSegment> segments;
-  double absorbed = 0;  ///< length of what was too near to a boundary to be told from it [spacings]
+  /// Length of what was too near to a boundary to be told from it, along its points and between its ends [spacings].
+  double absorbed = 0, absorbed_straight = 0;
 };
 
 /// Follows the facets with a Burgers vector from tetrahedron to tetrahedron. `sites` of the zone's atoms; `walls`:
