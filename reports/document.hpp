@@ -31,7 +31,7 @@ struct PublishedValue {
 };
 
 /// A table besides the one that a command makes.
-struct NamedTable {
+struct FurtherTable {
   std::string group, name;
   Table table;
 };
@@ -50,7 +50,7 @@ class Document {
   void text(std::string_view name, const std::string& value);
   void json(std::string_view name, nlohmann::ordered_json value);  ///< not shown on a terminal
   void line(std::string label, std::string text);                  ///< shown on a terminal only
-  void table(NamedTable table) { tables_.push_back(std::move(table)); }  ///< for sinks that hold all tables
+  void further_table(FurtherTable table) { tables_.push_back(std::move(table)); }  ///< for sinks that hold all tables
 
   void warn(std::string warning);
   void left_out(std::string what, std::string reason);
@@ -67,7 +67,7 @@ class Document {
   const std::vector<std::string>& warnings() const { return warnings_; }
   const std::vector<PublishedValue>& numbers() const { return numbers_; }  ///< in the order of `number`
 
-  const std::vector<NamedTable>& tables() const { return tables_; }
+  const std::vector<FurtherTable>& further_tables() const { return tables_; }
 
   std::string to_json() const;      ///< indented, one trailing newline
   std::string to_terminal() const;  ///< aligned lines, then warnings
@@ -82,7 +82,7 @@ class Document {
   std::vector<std::pair<std::string, std::string>> lines_;
   std::vector<std::string> warnings_;
   std::vector<PublishedValue> numbers_;
-  std::vector<NamedTable> tables_;
+  std::vector<FurtherTable> tables_;
   bool damaged_ = false;
 };
 

@@ -196,8 +196,8 @@ int run_command(const Values& values) {
     document.text("segments_written", values["segments"].as<std::string>());
   }
   if (products.points && !history.lines.empty()) {
-    document.table({"lines", "segments", history.lines.segments()});
-    document.table({"lines", "points", history.lines.points()});
+    document.further_table({"lines", "segments", history.lines.segments()});
+    document.further_table({"lines", "points", history.lines.points()});
   }
   const Table table = defect_table(history);
   return emit(values, document, &table);

@@ -16,7 +16,7 @@ void write(const std::filesystem::path& path, const Document& document, const Ta
       hdf5::Group columns = file.make_group("table", true);
       hdf5::put_table(columns, *table, document.units());
     }
-    for (const NamedTable& other : document.tables()) {
+    for (const FurtherTable& other : document.further_tables()) {
       hdf5::Group group = file.has_group(other.group) ? file.group(other.group) : file.make_group(other.group, true);
       hdf5::Group columns = group.make_group(other.name, true);
       hdf5::put_table(columns, other.table, document.units());
