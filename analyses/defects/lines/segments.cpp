@@ -85,7 +85,8 @@ class Describer {
     for (std::size_t k = 0; k < network_.segments.size(); ++k)
       lines.segments.push_back(segment(network_.segments[k], length(less_smooth_, less_smooth_.segments[k])));
     std::ranges::stable_sort(lines.segments, std::greater(), [](const DislocationSegment& s) { return s.length.value; });
-    const double longest = network_.absorbed * spacing_, shortest = network_.absorbed_straight * spacing_;
+    const double shortest = network_.absorbed_straight * spacing_;
+    const double longest = std::max(shortest, network_.absorbed * spacing_);
     lines.absorbed = {(longest + shortest) / 2, (longest - shortest) / 2, dimension::length};
     lines.residual = residual();
     lines.unresolved = unresolved();
