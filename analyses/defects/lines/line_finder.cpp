@@ -118,7 +118,7 @@ LineFinder::Found LineFinder::State::find(const Surroundings& about, std::span<c
   find_vectors(edges, zone, now.crystal, threads);
   const std::vector<Corners> walls = remove_foreign(cells, edges);
   now.pierced = pierced_facets(zone, cells, edges);
-  tighten(edges, cells);
+  tighten(edges, cells, zone);
   now.network = trace_lines(zone, cells, edges, about.own, walls);
   bridge_gaps(now.network, widest_gap);
   return now;
