@@ -61,7 +61,8 @@ class Changeable {
   void put_in_order() {
     std::vector<double> length(edges_.size());
     for (std::uint32_t low = 0; low < zone_.size(); ++low)
-      for (std::uint32_t e = edges_.first[low]; e < edges_.first[low + 1]; ++e) length[e] = distance(low, edges_.high[e]);
+      for (std::uint32_t e = edges_.first[low]; e < edges_.first[low + 1]; ++e)
+        if (number_[e] != none) length[e] = distance(low, edges_.high[e]);
     std::ranges::sort(changeable_, {}, [&](std::uint32_t e) { return std::pair(length[e], e); });
     for (std::uint32_t k = 0; k < changeable_.size(); ++k) number_[changeable_[k]] = k;
   }
