@@ -53,6 +53,7 @@ struct DislocationSegment {
   bool in_twin = false;          ///< the axes of burgers_here are not those of the body's lattice
   LineFamily family = LineFamily::other;      ///< of burgers_here
   double character = 0;                       ///< mean angle of line and Burgers vector [rad]: 0 screw, pi/2 edge
+  double character_spread = 0;                ///< standard deviation of that angle along the line [rad]
   std::optional<Eigen::Vector3i> slip_plane;  ///< {111} in the axes of burgers_here that holds both
   Value length;                          ///< [length]
   std::vector<Eigen::Vector3d> points;   ///< [length], from node to node; first and last alike if closed
@@ -70,7 +71,9 @@ struct DislocationLines {
   std::vector<DislocationSegment> segments;  ///< longest first
   std::vector<LineEnd> nodes;                ///< what each is
   std::vector<UnresolvedEnds> unresolved;
-  double absorbed = 0;  ///< length of pieces too near to surface or another lattice to be told from it [length]; not in segments
+  /// Length of pieces too near to surface or another lattice to be told from it [length]; not in segments. Between
+  /// straight lines and paths from tetrahedron to tetrahedron, which bound it.
+  Value absorbed{0, 0, dimension::length};
   double residual = 0;  ///< sum over all nodes inside crystals of |sum of Burgers vectors| [lattice constants]
 
   /// Of a body (0: of all) and a family, if one is told [length].

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyses/sweep.hpp"
+#include "analyses/table.hpp"
 #include "analyses/value.hpp"
 #include "readers/units.hpp"
 #include "reports/run.hpp"
@@ -29,6 +30,12 @@ struct PublishedValue {
   Value value;
 };
 
+/// A table besides the one that a command makes.
+struct FurtherTable {
+  std::string group, name;
+  Table table;
+};
+
 /// The result of a command: one JSON document, and the same as lines for a terminal. A name with
 /// dots ("contact_radius.gyration.max") makes nested objects.
 class Document {
@@ -43,6 +50,7 @@ class Document {
   void text(std::string_view name, const std::string& value);
   void json(std::string_view name, nlohmann::ordered_json value);  ///< not shown on a terminal
   void line(std::string label, std::string text);                  ///< shown on a terminal only
+  void further_table(FurtherTable table) { tables_.push_back(std::move(table)); }  ///< for sinks that hold all tables
 
   void warn(std::string warning);
   void left_out(std::string what, std::string reason);
@@ -59,6 +67,8 @@ class Document {
   const std::vector<std::string>& warnings() const { return warnings_; }
   const std::vector<PublishedValue>& numbers() const { return numbers_; }  ///< in the order of `number`
 
+  const std::vector<FurtherTable>& further_tables() const { return tables_; }
+
   std::string to_json() const;      ///< indented, one trailing newline
   std::string to_terminal() const;  ///< aligned lines, then warnings
   nlohmann::ordered_json content() const;
@@ -72,6 +82,7 @@ class Document {
   std::vector<std::pair<std::string, std::string>> lines_;
   std::vector<std::string> warnings_;
   std::vector<PublishedValue> numbers_;
+  std::vector<FurtherTable> tables_;
   bool damaged_ = false;
 };
 

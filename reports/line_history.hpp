@@ -14,6 +14,7 @@ namespace mdana {
 class LineHistory {
  public:
   LineHistory();
+  void keep_points() { keeps_points_ = true; }
 
   /// Frames in order.
   void add(const FrameDefects& found);
@@ -24,11 +25,16 @@ class LineHistory {
   const LineTracks& tracks() const { return tracks_; }
   /// A row for each segment of each frame.
   const Table& segments() const { return segments_; }
+  /// Those of each segment from end to end, with its row; empty unless they are kept.
+  const Table& points() const { return points_; }
 
  private:
+  void add_points(const DislocationSegment& segment);
+
   LineTracks tracks_;
   std::vector<nlohmann::ordered_json> frames_;
-  Table segments_;
+  Table segments_, points_;
+  bool keeps_points_ = false;
 };
 
 }  // namespace mdana

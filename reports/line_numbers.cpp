@@ -36,7 +36,8 @@ Json segment_json(const DislocationSegment& s, std::uint32_t track) {
             {"in_twin", s.in_twin},
             {"aligned", s.aligned},
             {"length", to_json(s.length)},
-            {"character_degrees", s.character * 180 / M_PI}};
+            {"character_degrees", s.character * 180 / M_PI},
+            {"character_spread_degrees", s.character_spread * 180 / M_PI}};
   json["slip_plane"] = s.slip_plane ? miller(*s.slip_plane) : Json(nullptr);
   json["ends"] = {name(s.ends[0]), name(s.ends[1])};
   json["nodes"] = {s.nodes[0], s.nodes[1]};
@@ -62,7 +63,7 @@ Json lines_json(const DislocationLines& lines, const std::vector<std::uint32_t>&
             {"total_length", to_json(lines.length(0))},
             {"burgers_residual", lines.residual},
             {"short_length", lines.length_below(shortest * spacing)},
-            {"unresolved_length", lines.absorbed}};
+            {"unresolved_length", to_json(lines.absorbed)}};
   Json segments = Json::array();
   for (std::size_t k = 0; k < std::min(lines.segments.size(), most_segments); ++k)
     segments.push_back(segment_json(lines.segments[k], tracks[k]));

@@ -18,6 +18,8 @@ struct Sink {
   std::string_view summary;  ///< what it holds, for help: "the table"
   bool needs_table;          ///< no use without a table
 
+  bool all_tables;  ///< it holds the document's other tables, too
+
   /// Writes the file whole or not at all; the table may be missing unless it is needed. Throws
   /// std::runtime_error.
   void (*write)(const std::filesystem::path& path, const Document& document, const Table* table);

@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "analyses/ranges.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana::defects {
 namespace {
 
+constexpr std::size_t atoms_at_once = 65536;
 constexpr int bits = 21;
 constexpr std::uint64_t most_cells = (1u << bits) - 2;  ///< along an axis
 
@@ -69,13 +71,13 @@ class Cells {
 };
 
 /// Atoms by cell where cells can be counted one by one.
-void sort_by_counting(const FrameAtoms& atoms, const Cells& cells, CellGrid& grid) {
+void sort_by_counting(const FrameAtoms& atoms, const Cells& cells, std::size_t threads, CellGrid& grid) {
   std::vector<std::uint32_t> of_atom(atoms.size());
+  for_ranges(atoms.size(), atoms_at_once, threads, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) of_atom[i] = static_cast<std::uint32_t>(cells.number(atoms, i));
+  });
   std::vector<std::uint32_t> next(static_cast<std::size_t>(cells.all()) + 1);
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    of_atom[i] = static_cast<std::uint32_t>(cells.number(atoms, i));
-    ++next[of_atom[i] + 1];
-  }
+  for (const std::uint32_t cell : of_atom) ++next[cell + 1];
   for (std::size_t number = 0; number + 1 < next.size(); ++number) {
     const std::uint32_t first = next[number];
     next[number + 1] += first;
@@ -129,19 +131,21 @@ std::int32_t CellSpace::position(double at, std::size_t axis) const {
 CellGrid::CellGrid(const FrameAtoms& atoms, double of_spacing)
     : CellGrid(atoms, CellSpace(box_of(atoms), of_spacing)) {}
 
-CellGrid::CellGrid(const FrameAtoms& atoms, const CellSpace& space) : spacing(space.spacing) {
+CellGrid::CellGrid(const FrameAtoms& atoms, const CellSpace& space, std::size_t threads) : spacing(space.spacing) {
   const Cells cells(atoms, space);
   const std::size_t n = atoms.size();
   const bool countable = cells.all() <= 2 * static_cast<double>(n) + 4096;
-  countable ? sort_by_counting(atoms, cells, *this) : sort_by_comparing(atoms, cells, *this);
+  countable ? sort_by_counting(atoms, cells, threads, *this) : sort_by_comparing(atoms, cells, *this);
   start.push_back(static_cast<std::uint32_t>(n));
   for (auto* axis : {&x, &y, &z}) axis->resize(n + padding);
-  for (std::size_t s = 0; s < n; ++s) {
-    const std::uint32_t i = atom[s];
-    x[s] = space.position(atoms.x[i], 0);
-    y[s] = space.position(atoms.y[i], 1);
-    z[s] = space.position(atoms.z[i], 2);
-  }
+  for_ranges(n, atoms_at_once, threads, [&](std::size_t first, std::size_t end) {
+    for (std::size_t s = first; s < end; ++s) {
+      const std::uint32_t i = atom[s];
+      x[s] = space.position(atoms.x[i], 0);
+      y[s] = space.position(atoms.y[i], 1);
+      z[s] = space.position(atoms.z[i], 2);
+    }
+  });
 }
 
 std::size_t CellGrid::cell_of(std::size_t sorted) const {

@@ -41,7 +41,7 @@ struct CellSpace {
 /// Atoms sorted by the cubic cell that holds them, those of a cell in their order in the frame. Only
 /// occupied cells are kept. 16 bytes an atom and 12 a cell.
 struct CellGrid {
-  CellGrid(const FrameAtoms& atoms, const CellSpace& space);
+  CellGrid(const FrameAtoms& atoms, const CellSpace& space, std::size_t threads = 1);
   /// Of all atoms of a frame. Throws InputError at positions that are not finite, or as CellSpace.
   CellGrid(const FrameAtoms& atoms, double of_spacing);
 

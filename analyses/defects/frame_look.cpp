@@ -93,7 +93,7 @@ FrameDefects FrameLook::fill(std::span<double> row) {
 
 LabelledSlab::LabelledSlab(Slab of, const CellSpace& space, const DefectSettings& settings, std::size_t threads)
     : slab(std::move(of)),
-      grid(*slab.atoms, space),
+      grid(*slab.atoms, space, threads),
       search(settings.by_cgal ? tree_search(grid) : cell_search(grid)),
       sites(grid, search, threads, slab, settings.labels) {
   label_structures(sites, settings.by_cgal);

@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include "analyses/defects/atom_hash.hpp"
+#include "analyses/ranges.hpp"
 
 namespace mdana {
 namespace {
@@ -64,6 +65,7 @@ double misorientation(const Turn& a, const Turn& b) {
 namespace defects {
 namespace {
 
+constexpr std::size_t atoms_at_once = 65536;
 constexpr std::size_t sample = 300;   ///< fcc atoms
 constexpr std::size_t candidates = 9; ///< of them, for the lattice that most agree with
 constexpr double agreeing = 10 * std::numbers::pi / 180;
@@ -88,10 +90,19 @@ BodyLattice about(const std::vector<Turn>& all, const Turn& middle) {
 
 }  // namespace
 
-void LatticeSample::add(const Sites& sites) {
-  for (std::uint32_t place = 0; place < sites.structure.size(); ++place)
+void LatticeSample::take(const Sites& sites, std::size_t first, std::size_t end) {
+  for (auto place = static_cast<std::uint32_t>(first); place < end; ++place)
     if (sites.structure[place] == Structure::fcc && sites.body[place] == body_ && sites.is_own(place))
       take(hash_of(static_cast<std::uint64_t>(sites.number(place))), sites.index(place), place);
+}
+
+void LatticeSample::add(const Sites& sites) {
+  const std::size_t count = sites.structure.size();
+  std::vector<LatticeSample> parts(count / atoms_at_once + 1, LatticeSample(body_));
+  for_ranges(count, atoms_at_once, sites.threads,
+             [&](std::size_t first, std::size_t end) { parts[first / atoms_at_once].take(sites, first, end); });
+  for (const LatticeSample& part : parts)
+    for (const Atom& atom : part.atoms_) take(atom.hash, atom.index, atom.place);
   std::vector<std::uint32_t> places;
   std::vector<Atom*> atoms;
   for (Atom& atom : atoms_) {

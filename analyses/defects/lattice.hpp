@@ -31,6 +31,7 @@ class LatticeSample {
     std::optional<Eigen::Quaterniond> turn;
   };
 
+  void take(const Sites& sites, std::size_t first, std::size_t end);  ///< of these places
   void take(std::uint64_t hash, std::uint32_t index, std::uint32_t place);
   std::vector<Eigen::Quaterniond> turns() const;
 

@@ -81,7 +81,7 @@ struct ZoneCells {
   std::vector<Corners> open;
 };
 
-/// Triangulates in slabs of some 30000 atoms, which threads share; the result does not depend on slabs
+/// Triangulates in slabs of at most some 30000 atoms, which threads share; the result does not depend on slabs
 /// or threads. Points are moved by up to 1e-9 spacings, by their number, so that no four neighbours of a
 /// perfect lattice lie on a sphere by chance. zone_cells.cpp, the only source with CGAL's triangulation.
 /// The limits are at most widest_limit; what is filled by each of them.

@@ -24,7 +24,8 @@ using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel
 using Cell = CGAL::Triangulation_cell_base_with_info_3<double, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
-constexpr std::size_t atoms_a_slab = 30000;
+constexpr std::size_t most_atoms = 30000, least_atoms = 2000;  ///< of a slab, about
+constexpr double thick = 16 * widest_limit;  ///< for a slab: what it shares with others is an eighth of that
 constexpr double shift = 1e-9;  ///< [spacings]
 
 /// A number from -1 to 1 that depends on an atom and an axis alone.
@@ -63,7 +64,8 @@ std::vector<ZoneSlab> slabs_of(const std::vector<Eigen::Vector3d>& points, Eigen
   std::iota(order.begin(), order.end(), 0u);
   const auto along = [&](std::uint32_t i) { return points[i][axis]; };
   std::ranges::sort(order, {}, along);
-  const std::size_t count = points.size() / atoms_a_slab + 1;
+  const auto thick_ones = static_cast<std::size_t>(box.sizes()[axis] / thick);
+  const std::size_t count = std::max(points.size() / most_atoms, std::min(points.size() / least_atoms, thick_ones)) + 1;
   std::vector<ZoneSlab> slabs;
   for (std::size_t k = 0; k < count; ++k) {
     ZoneSlab slab{k == 0 ? -HUGE_VAL : along(order[k * points.size() / count]),

@@ -102,6 +102,9 @@ void set_resources(const Values& values, SweepOptions& sweeping);
 /// without a table, a directory that does not exist.
 void check_output(const Values& values, bool table);
 
+/// The file of -o, if there is one, holds the document's other tables, too.
+bool output_holds_all_tables(const Values& values);
+
 /// Throws std::runtime_error if the directory of an output does not exist.
 void check_directory(const std::filesystem::path& output);
 

@@ -99,12 +99,14 @@ struct Products {
   std::optional<LabelledDump> dump;
   std::optional<Pictures> pictures;
   std::optional<std::string> ca;  ///< prefix
+  bool points = false;            ///< of lines are kept
 };
 
 /// One pass over the frames.
 DefectHistory history_of(const Run& run, const RunOptions& options, const SweepOptions& sweeping,
                          DefectSettings settings, Products& products, SweepResult& swept) {
   DefectHistory history;
+  if (products.points) history.lines.keep_points();
   const bool lines = settings.lines;
   settings.ids = run.first.has_column("id");
   settings.types = products.dump && run.first.has_column("type");
@@ -178,6 +180,7 @@ int run_command(const Values& values) {
   if (format) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
   if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>(), settings);
   if (values.count("ca")) products.ca = values["ca"].as<std::string>();
+  products.points = output_holds_all_tables(values);
   SweepResult swept;
   const DefectHistory history =
       history_of(run, options, sweeping, std::move(settings), products, swept);
@@ -191,6 +194,10 @@ int run_command(const Values& values) {
   if (values.count("segments")) {
     write_file(values["segments"].as<std::string>(), to_csv(history.lines.segments()));
     document.text("segments_written", values["segments"].as<std::string>());
+  }
+  if (products.points && !history.lines.empty()) {
+    document.further_table({"lines", "segments", history.lines.segments()});
+    document.further_table({"lines", "points", history.lines.points()});
   }
   const Table table = defect_table(history);
   return emit(values, document, &table);

@@ -219,6 +219,11 @@ void check_output(const Values& values, bool table) {
   check_directory(output);
 }
 
+bool output_holds_all_tables(const Values& values) {
+  const Sink* sink = sink_of(output_of(values), true);
+  return sink && sink->all_tables;
+}
+
 void check_directory(const std::filesystem::path& output) {
   const auto directory = output.parent_path();
   if (!directory.empty() && !std::filesystem::is_directory(directory))

@@ -14,6 +14,6 @@ void write(const std::filesystem::path& path, const Document&, const Table* tabl
 }  // namespace
 
 extern const Sink csv_sink;
-const Sink csv_sink{"csv", ".csv", "the table", true, write};
+const Sink csv_sink{"csv", ".csv", "the table", true, false, write};
 
 }  // namespace mdana

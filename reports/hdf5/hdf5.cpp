@@ -16,6 +16,11 @@ void write(const std::filesystem::path& path, const Document& document, const Ta
       hdf5::Group columns = file.make_group("table", true);
       hdf5::put_table(columns, *table, document.units());
     }
+    for (const FurtherTable& other : document.further_tables()) {
+      hdf5::Group group = file.has_group(other.group) ? file.group(other.group) : file.make_group(other.group, true);
+      hdf5::Group columns = group.make_group(other.name, true);
+      hdf5::put_table(columns, other.table, document.units());
+    }
     hdf5::flush(file);
   });
 }
@@ -23,6 +28,6 @@ void write(const std::filesystem::path& path, const Document& document, const Ta
 }  // namespace
 
 extern const Sink hdf5_sink;
-const Sink hdf5_sink{"hdf5", ".h5", "all of it", false, write};
+const Sink hdf5_sink{"hdf5", ".h5", "all of it", false, true, write};
 
 }  // namespace mdana

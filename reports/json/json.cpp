@@ -12,6 +12,6 @@ void write(const std::filesystem::path& path, const Document& document, const Ta
 }  // namespace
 
 extern const Sink json_sink;
-const Sink json_sink{"json", ".json", "the document", false, write};
+const Sink json_sink{"json", ".json", "the document", false, false, write};
 
 }  // namespace mdana

@@ -5,8 +5,9 @@
     tests/bench/lines.py build/mdana [COLLISION_DUMP ATOMS FRAMES]
 
 CPU time an atom of labels (with --no-lines), and of labels with lines, less what mdana check takes to read the dump;
-two threads against one, with lines.
+two threads against one, with lines. Memory of an atom of the zone, by making all atoms zone.
 """
+import concurrent.futures
 import os
 import pathlib
 import resource
@@ -20,11 +21,12 @@ import numpy as np
 MDANA = pathlib.Path(sys.argv[1]).resolve()
 
 
-def ball_with_partial(path, noise):
-    edge, n = 1.55, 40
+def ball_with_partial(path, noise, radius=60):
+    edge = 1.55
+    n = int(radius / edge) + 2
     cells = np.array(np.meshgrid(*[np.arange(-n, n + 1)] * 3, indexing="ij")).reshape(3, -1).T
     atoms = edge * np.concatenate([cells + b for b in ([0, 0, 0], [.5, .5, 0], [.5, 0, .5], [0, .5, .5])])
-    atoms = atoms[np.einsum("ij,ij->i", atoms, atoms) < 60**2]
+    atoms = atoms[np.einsum("ij,ij->i", atoms, atoms) < radius**2]
     slip = 0.5 + np.arctan(atoms @ np.array([1, 1, -2]) / 6**.5) / np.pi
     side = np.where(atoms @ np.ones(3) / 3**.5 > edge / 12**.5, .5, -.5)
     atoms += np.outer(side * slip, edge / 6 * np.array([1, 1, -2])) + np.random.default_rng(1).normal(0, noise, atoms.shape)
@@ -58,10 +60,23 @@ def compare(name, dump, atoms, frames=1):
           f"{labels[2]:.0f} | {lines[2]:.0f} |")
 
 
+def memory_of_zone(dump, atoms):
+    defects = ["defects", dump, "--no-surface", "--bodies", "type", "--threads", "1"]
+    more = run(*defects, "--lines-everywhere")[2] - run(*defects, "--no-lines")[2]
+    print(f"\n{more * 1024 / atoms:.2f} kB an atom of the zone ({atoms} atoms, all of them zone)")
+
+
+def made(*arguments):
+    """A ball, made in another process: what this one holds would count as memory of those that it starts."""
+    with concurrent.futures.ProcessPoolExecutor(1) as pool:
+        return pool.submit(ball_with_partial, *arguments).result()
+
+
 print("| case | atoms | labels, us/atom | with lines | two threads | MB, labels | MB, lines |\n|---|---|---|---|---|---|---|")
 with tempfile.TemporaryDirectory() as directory:
     for name, noise in (("one partial, cold", 0), ("one partial, noise 0.05 sigma", 0.05)):
         dump = pathlib.Path(directory) / "ball.dump"
-        compare(name, dump, ball_with_partial(dump, noise))
-if len(sys.argv) > 2:
-    compare("collision", sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))
+        compare(name, dump, made(dump, noise))
+    if len(sys.argv) > 2:
+        compare("collision", sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))
+    memory_of_zone(dump, made(dump, 0, radius=30))

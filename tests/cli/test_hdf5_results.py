@@ -66,6 +66,22 @@ class Results(Case):
                     np.testing.assert_array_equal(column[:], [np.nan if v is None else v for v in wanted[name]], name)
                     self.assertEqual(len(column.attrs["dimension"]), 3)
 
+    def test_dislocation_lines(self):
+        """The segments are the table of --segments; the points of each add up to its length, the middle one among them."""
+        self.mdana("defects", SAMPLE, "--no-surface", "-o", self.dir / "lines.h5", "--segments", self.dir / "segments.csv")
+        wanted = running.read_csv(self.dir / "segments.csv")
+        with h5py.File(self.dir / "lines.h5") as file:
+            segments, points = file["lines/segments"], file["lines/points"]
+            self.assertEqual(list(segments), list(wanted))
+            self.assertEqual([text.decode() for text in segments["family"]], wanted["family"])
+            self.assertEqual(points["x"].attrs["unit"], segments["length"].attrs["unit"])
+            places = np.column_stack([points[axis] for axis in "xyz"])
+            self.assertGreater(len(wanted["length"]), 4)
+            for row, length in enumerate(wanted["length"]):
+                line = places[points["segment"][:] == row]
+                self.assertAlmostEqual(np.linalg.norm(np.diff(line, axis=0), axis=1).sum(), length, 9)
+                np.testing.assert_array_equal(line[len(line) // 2], [wanted[axis][row] for axis in "xyz"])
+
     def test_units_of_columns(self):
         with h5py.File(self.write("force", ".h5")) as file:
             self.assertEqual(file["table/F"].attrs["unit"], "ε/σ")

@@ -49,9 +49,21 @@ class Lines(Case):
         (segment,) = frame["segments"]
         self.assertAlmostEqual(segment["length"]["value"], 23, delta=1.5)
         self.assertEqual(segment["ends"], ["surface", "surface"])
+        self.assertLess(abs(segment["character_degrees"] - 90), 3 * segment["character_spread_degrees"] + 1)
         np.testing.assert_allclose(sorted(np.abs(segment["burgers"])), np.array([1, 1, 2]) / 6, atol=1e-12)
         text = self.mdana("defects", self.dump([0]), "--no-surface").stdout
         self.assertRegex(text, r"most lines +2\d\.\d.*: shockley 2\d")
+
+    def test_errors_in_the_table(self):
+        """Those of the document; what is unresolved is between nothing and twice itself."""
+        frame = self.document("defects", SAMPLE, "--no-surface", "--frames", "last")["frames"][0]
+        table = self.table("defects", SAMPLE, "--no-surface", "--frames", "last")
+        for name, told in [(f"{f}_length", frame["lines"][f]["length"]) for f in FAMILIES] + [
+                ("line_length", frame["total_length"]), ("unresolved_length", frame["unresolved_length"])]:
+            self.assertEqual(table[name], [told["value"]], name)
+            self.assertEqual(table[f"{name}_error"], [told["error"]], name)
+            self.assertTrue(0 <= told["error"] <= told["value"], name)
+        self.assertGreater(frame["unresolved_length"]["error"], 0)
 
     def test_left_out(self):
         document = self.document("defects", SAMPLE, "--frames", ":1", "--no-lines")

@@ -11,8 +11,9 @@
 namespace mdana::defects {
 
 /// line_segments, line_length with line_length_error [length], then of both bodies, of 1 and of 2 the length in each
-/// family (perfect_length, ..., perfect_length1, ...), line_density1, 2 [1/length^2], short_line_length of pieces
-/// below two spacings, unresolved_length beside surfaces and other lattices, not in the others and not smoothed [length], and burgers_residual [lattice constants].
+/// family and its error (perfect_length, perfect_length_error, ..., perfect_length1, perfect_length_error1, ...),
+/// line_density1, 2 [1/length^2], short_line_length of pieces below two spacings, unresolved_length beside surfaces and
+/// other lattices with unresolved_length_error, not in the others [length], and burgers_residual [lattice constants].
 void add_line_columns(std::vector<ColumnSpec>& columns);
 
 /// In the order of these columns; `volume` of bodies 1 and 2 [length^3]. What is left of the row.

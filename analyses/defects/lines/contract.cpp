@@ -44,13 +44,13 @@ class Contraction {
     for (std::uint32_t k = 0; k < network.segments.size(); ++k) attach(k);
   }
 
+  /// What is done to some segments does not depend on those elsewhere: all that follows from a contraction is done before
+  /// the next.
   void run() {
-    for (bool changed = true; changed;) {
-      changed = remove_small_loops();
-      changed |= contract_shortest();
-      changed |= merge_parallel();
-      changed |= join_at_passed_nodes();
-    }
+    do {
+      while (simplify()) {
+      }
+    } while (contract_shortest());
     remove_gone();
   }
 
@@ -71,6 +71,13 @@ class Contraction {
     segment(k).burgers.setZero();
   }
   bool gone(std::uint32_t k) { return segment(k).burgers.isZero(); }
+
+  bool simplify() {
+    bool any = remove_small_loops();
+    any |= merge_parallel();
+    any |= join_at_passed_nodes();
+    return any;
+  }
 
   /// Closed segments at a junction carry nothing away.
   bool remove_small_loops() {
@@ -104,8 +111,10 @@ class Contraction {
     }
     if (!(least < HUGE_VAL)) return false;
     const auto [a, b] = std::pair{segment(shortest).from, segment(shortest).to};
-    if (ends_at_lattice(network_, segment(shortest)) || (is_end(network_.nodes[a]) && is_end(network_.nodes[b])))
+    if (ends_at_lattice(network_, segment(shortest)) || (is_end(network_.nodes[a]) && is_end(network_.nodes[b]))) {
       network_.absorbed += least;
+      network_.absorbed_straight += (network_.nodes[a].at - network_.nodes[b].at).norm();
+    }
     remove(shortest);
     if (is_end(network_.nodes[a]) && is_end(network_.nodes[b])) return true;
     unite(a, b);

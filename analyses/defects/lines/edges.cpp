@@ -103,7 +103,6 @@ class VectorFinder {
       vector = Ideal::Zero();
       return;
     }
-    const auto strain = [&](const Ideal& v) { return (real(high) - ideal_length(high, v)).squaredNorm(); };
     votes_.clear();
     for (const Known& k : from_low_)
       if (k.atom == high) votes_.add(k.vector);
@@ -114,7 +113,7 @@ class VectorFinder {
       kind = EdgeKind::guessed;
       return;
     }
-    vector = votes_.best(strain);
+    vector = votes_.best([&](const Ideal& v) { return strain(high, v); });
     const bool framed = crystal_.framed[low_] || crystal_.framed[high];
     kind = votes_.unanimous() && (direct || (framed && votes_.count() > 1)) ? EdgeKind::sure : EdgeKind::guessed;
   }
@@ -126,7 +125,10 @@ class VectorFinder {
     return (crystal_.map[low_].cast<double>() + crystal_.map[high].cast<double>()) / 2;
   }
 
-  Eigen::Vector3d ideal_length(std::uint32_t high, const Ideal& v) const { return map(high) * v.cast<double>(); }
+  /// How far an ideal vector is from the edge, squared.
+  double strain(std::uint32_t high, const Ideal& v) const {
+    return (real(high) - map(high) * v.cast<double>()).squaredNorm();
+  }
 
   void add_two_steps(std::uint32_t high) {
     vectors_.from(high, from_high_);
@@ -135,11 +137,15 @@ class VectorFinder {
         if (k.atom == m.atom) votes_.add(k.vector - m.vector);
   }
 
-  /// The vector of the lattice about the atom that is nearest to the edge.
+  /// The vector of the lattices about the two atoms that is nearest to the edge.
   Ideal guess(std::uint32_t high) const {
-    const Eigen::Matrix3d turn = crystal_.turn[low_].cast<double>();
-    const Eigen::Vector3d v = turn.transpose() * map(high).inverse() * real(high) * (std::sqrt(2.0) / ideal_parts);
-    return (turn * nearest_lattice_vector(v).cast<double>()).array().round().matrix().cast<int>();
+    const auto of = [&](std::uint32_t atom) -> Ideal {
+      const Eigen::Matrix3d turn = crystal_.turn[atom].cast<double>();
+      const Eigen::Vector3d v = turn.transpose() * map(high).inverse() * real(high) * (std::sqrt(2.0) / ideal_parts);
+      return (turn * nearest_lattice_vector(v).cast<double>()).array().round().matrix().cast<int>();
+    };
+    const Ideal a = of(low_), b = of(high);
+    return strain(high, b) < strain(high, a) ? b : a;
   }
 
   const Zone& zone_;

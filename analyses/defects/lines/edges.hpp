@@ -46,6 +46,6 @@ std::vector<Corners> remove_foreign(std::vector<Tetrahedron>& cells, const Edges
 Ideal circulation(const Edges& edges, const Corners& facet);
 
 /// Changes guessed vectors as long as that makes the sum of the squared Burgers vectors of all facets less.
-void tighten(Edges& edges, std::span<const Tetrahedron> cells);
+void tighten(Edges& edges, std::span<const Tetrahedron> cells, const Zone& zone);
 
 }  // namespace mdana::defects

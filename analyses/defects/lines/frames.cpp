@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <queue>
+#include <tuple>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -34,9 +36,8 @@ class FrameFinder {
     crystal_.bonds.resize(zone_.size());
     crystal_.map.resize(zone_.size());
     crystal_.turn.resize(zone_.size());
-    for (const Structure root : {Structure::fcc, Structure::hcp})
-      for (std::uint32_t i = 0; i < zone_.size(); ++i)
-        if (own_[i].kind >= 0 && !crystal_.framed[i] && own_[i].structure == root) grow(i);
+    for (const std::uint32_t i : roots())
+      if (!crystal_.framed[i]) grow(i);
     unite_aligned();
     return std::move(crystal_);
   }
@@ -96,18 +97,35 @@ class FrameFinder {
     return std::ranges::all_of(ideal(frame), [&](const Ideal& v) { return turn.turned(v).has_value(); });
   }
 
+  /// Where grains may begin: fcc atoms first, those with the least misfit first.
+  std::vector<std::uint32_t> roots() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < zone_.size(); ++i)
+      if (own_[i].kind >= 0) all.push_back(i);
+    std::ranges::sort(all, {}, [&](std::uint32_t i) { return std::tuple(own_[i].structure != Structure::fcc, own_[i].misfit, i); });
+    return all;
+  }
+
   /// From a framed atom to a neighbour; the turn of the neighbour if it is known already.
   struct Step {
+    double worse, better;  ///< misfits
     std::uint32_t from, next;
-    LatticeTurn turn;
+    LatticeTurn turn = {};
+
+    /// Later.
+    bool operator<(const Step& other) const {
+      return std::tie(worse, better, from, next) > std::tie(other.worse, other.better, other.from, other.next);
+    }
   };
 
-  /// The steps of a grain that are to do: those not looked at, and others by how many pairs agree.
+  /// The steps of a grain that are to do: those not looked at, and others by how many pairs agree; each time
+  /// the one with the least misfit. So which way leads from one atom to another does not depend on where a grain begins: it is
+  /// that of a minimum spanning tree.
   struct Steps {
-    std::vector<Step> fresh;
-    std::array<std::vector<Step>, 13> doubtful;
+    std::priority_queue<Step> fresh;
+    std::array<std::priority_queue<Step>, 13> doubtful;
 
-    std::vector<Step>* next() {
+    std::priority_queue<Step>* next() {
       if (!fresh.empty()) return &fresh;
       const auto most = std::find_if(doubtful.rbegin(), doubtful.rend(), [](const auto& s) { return !s.empty(); });
       return most == doubtful.rend() ? nullptr : &*most;
@@ -117,8 +135,10 @@ class FrameFinder {
   void add_steps(Steps& steps, std::uint32_t from) const {
     for (const IdealBond& bond : crystal_.bonds[from])
       if (bond.atom != no_atom && own_[bond.atom].kind >= 0 && !crystal_.framed[bond.atom] &&
-          (one_lattice_ || body(bond.atom) == body(from)))
-        steps.fresh.push_back({from, bond.atom, {}});
+          (one_lattice_ || body(bond.atom) == body(from))) {
+        const auto [better, worse] = std::minmax(own_[from].misfit, own_[bond.atom].misfit);
+        steps.fresh.push({worse, better, from, bond.atom});
+      }
   }
 
   /// Looks at a step: true if all agree on it, else it is doubtful, or none.
@@ -129,7 +149,7 @@ class FrameFinder {
     if (!exact(own_[step.next], found.turn)) return false;
     step.turn = found.turn;
     if (found.pairs == pairs.size() && found.pairs == full_agreement) return true;
-    steps.doubtful[found.pairs].push_back(step);
+    steps.doubtful[found.pairs].push(step);
     return false;
   }
 
@@ -142,8 +162,8 @@ class FrameFinder {
     add_steps(steps, root);
     while (auto* const most = steps.next()) {
       const bool fresh = most == &steps.fresh;
-      Step step = most->back();
-      most->pop_back();
+      Step step = most->top();
+      most->pop();
       if (crystal_.framed[step.next] || (fresh && !certain(step, steps))) continue;
       set(step.next, step.turn, grain);
       add_steps(steps, step.next);

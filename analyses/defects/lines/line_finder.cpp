@@ -6,6 +6,7 @@
 #include "analyses/defects/lines/network.hpp"
 #include "analyses/defects/lines/seeds.hpp"
 #include "analyses/defects/lines/segments.hpp"
+#include "analyses/defects/lines/surroundings.hpp"
 
 namespace mdana::defects {
 namespace {
@@ -33,12 +34,18 @@ std::vector<Corners> pierced_facets(const Zone& zone, std::span<const Tetrahedro
   return facets;
 }
 
+/// Marks the places of some atoms.
+void mark(std::vector<char>& seeds, const Sites& sites, const Indices& atoms) {
+  std::vector<char> wanted(atoms.back() + std::size_t{1});
+  for (const std::uint32_t index : atoms) wanted[index] = 1;
+  for (std::size_t p = 0; p < seeds.size(); ++p)
+    if (sites.index(p) < wanted.size() && wanted[sites.index(p)]) seeds[p] = 1;
+}
+
 }  // namespace
 
-/// What is found about some seeds.
+/// The lines about some seeds.
 struct LineFinder::Found {
-  Zone zone;
-  std::vector<Site> site;  ///< of its atoms
   ZoneCrystal crystal;
   LineNetwork network;
   std::vector<Corners> pierced;  ///< before they are tightened
@@ -50,22 +57,22 @@ struct LineFinder::State {
   bool everywhere;
 
   // The slabs that are being added.
-  Indices wanted;          ///< seeds
-  bool by_rule = true;     ///< and those of the rule
+  bool first = true;    ///< seeds are those of the rule
+  bool trying = false;  ///< seeds are atoms at the surface about ends, which are looked at alone
+  Indices wanted;       ///< seeds, but for the first time
   ZoneParts parts;
   std::vector<OwnFrame> own;
 
   // What is known so far.
-  Indices more;    ///< seeds besides those of the rule
-  Indices beyond;  ///< atoms at the surface about ends, which are looked at alone
+  Surroundings known;
   Found found;
   int rounds = 0;
 
-  Found look(std::span<const BodyLattice, 2> lattices, std::size_t threads);
+  Surroundings added(std::size_t threads);
+  Found find(const Surroundings& about, std::span<const BodyLattice, 2> lattices, std::size_t threads) const;
   Indices near_ends(NodeKind kind) const;
   bool goes_on(const Found& there) const;
-  bool look_again(Indices seeds, bool rule);
-  void add_seeds(const Indices& seeds);
+  bool look_on();
 };
 
 LineFinder::LineFinder(const Eigen::Vector3d& origin, double spacing, bool everywhere)
@@ -80,51 +87,52 @@ LineFinder::~LineFinder() = default;
 void LineFinder::add(const Sites& sites) {
   State& s = *state_;
   std::vector<char> seeds(sites.site.size(), s.everywhere);
-  if (s.by_rule && !s.everywhere) seeds = line_seeds(sites);
-  if (!s.wanted.empty()) {
-    std::vector<char> wanted(s.wanted.back() + std::size_t{1});
-    for (const std::uint32_t index : s.wanted) wanted[index] = 1;
-    for (std::size_t p = 0; p < seeds.size(); ++p)
-      if (sites.index(p) < wanted.size() && wanted[sites.index(p)]) seeds[p] = 1;
-  }
+  if (s.first && !s.everywhere) seeds = line_seeds(sites);
+  if (!s.first) mark(seeds, sites, s.wanted);
   const auto places = s.parts.add(sites, seeds, 0);
   const auto own = own_frames(sites, places);
   s.own.insert(s.own.end(), own.begin(), own.end());
 }
 
-/// The lines among the atoms that were added, their gaps bridged.
-LineFinder::Found LineFinder::State::look(std::span<const BodyLattice, 2> lattices, std::size_t threads) {
-  Found now;
+/// What the slabs brought.
+Surroundings LineFinder::State::added(std::size_t threads) {
+  Surroundings now;
   now.zone = std::move(parts).zone(origin, spacing);
-  std::ranges::sort(own, {}, &OwnFrame::index);
-  for (const OwnFrame& frame : own) now.site.push_back(frame.site);
-  const Zone& zone = now.zone;
-  if (zone.size() >= 4) {
-    std::vector<Tetrahedron> cells = triangulate(zone, true, threads).cells;
-    now.crystal = find_frames(zone, own, lattices);
-    Edges edges = edges_of(zone.size(), cells);
-    spread_grains(now.crystal, zone, edges);
-    find_vectors(edges, zone, now.crystal, threads);
-    const std::vector<Corners> walls = remove_foreign(cells, edges);
-    now.pierced = pierced_facets(zone, cells, edges);
-    tighten(edges, cells);
-    now.network = trace_lines(zone, cells, edges, now.site, walls);
-    bridge_gaps(now.network, widest_gap);
-  }
+  now.own = std::move(own);
+  std::ranges::sort(now.own, {}, &OwnFrame::index);
+  now.cells = triangulate(now.zone, true, threads).cells;
   parts = {};
   own = {};
   return now;
 }
 
-/// Atoms of the zone near ends of a kind that were no seeds; near the surface those at it.
+/// The lines among atoms, their gaps bridged.
+LineFinder::Found LineFinder::State::find(const Surroundings& about, std::span<const BodyLattice, 2> lattices,
+                                               std::size_t threads) const {
+  Found now;
+  const Zone& zone = about.zone;
+  std::vector<Tetrahedron> cells = about.cells;
+  now.crystal = find_frames(zone, about.own, lattices);
+  Edges edges = edges_of(zone.size(), cells);
+  spread_grains(now.crystal, zone, edges);
+  find_vectors(edges, zone, now.crystal, threads);
+  const std::vector<Corners> walls = remove_foreign(cells, edges);
+  now.pierced = pierced_facets(zone, cells, edges);
+  tighten(edges, cells, zone);
+  now.network = trace_lines(zone, cells, edges, about.own, walls);
+  bridge_gaps(now.network, widest_gap);
+  return now;
+}
+
+/// Atoms near ends of a kind that were no seeds; near the surface those at it.
 Indices LineFinder::State::near_ends(NodeKind kind) const {
   Indices atoms;
-  const Zone& zone = found.zone;
+  const Zone& zone = known.zone;
   for (const LineNode& node : found.network.nodes) {
     if (node.kind != kind) continue;
     for (std::uint32_t i = 0; i < zone.size(); ++i)
       if (!zone.seed[i] && (zone.at[i] - node.at).squaredNorm() < about_end * about_end &&
-          (kind == NodeKind::inside || at_surface(found.site[i])))
+          (kind == NodeKind::inside || at_surface(known.own[i].site)))
         atoms.push_back(zone.atom[i]);
   }
   return atoms;
@@ -136,36 +144,25 @@ bool LineFinder::State::goes_on(const Found& there) const {
                              [&](const Corners& f) { return !std::ranges::binary_search(found.pierced, f); });
 }
 
-void LineFinder::State::add_seeds(const Indices& seeds) {
-  more.insert(more.end(), seeds.begin(), seeds.end());
-  std::ranges::sort(more);
-  more.erase(std::unique(more.begin(), more.end()), more.end());
-}
-
-/// The slabs are to be added again.
-bool LineFinder::State::look_again(Indices seeds, bool rule) {
-  wanted = std::move(seeds);
+/// About ends inside crystals; if there are none, about those at the surface, to try whether lines go on there.
+bool LineFinder::State::look_on() {
+  if (++rounds == most_rounds || everywhere) return false;
+  first = false;
+  wanted = near_ends(NodeKind::inside);
+  trying = wanted.empty();
+  const Indices beyond = near_ends(NodeKind::surface);
+  wanted.insert(wanted.end(), beyond.begin(), beyond.end());
   std::ranges::sort(wanted);
-  by_rule = rule;
-  return true;
+  return !wanted.empty();
 }
 
 bool LineFinder::wants_more(std::span<const BodyLattice, 2> lattices, std::size_t threads) {
   State& s = *state_;
-  bool again = false;
-  if (s.by_rule) {
-    s.found = s.look(lattices, threads);
-    if (++s.rounds == most_rounds || s.everywhere) return false;
-    const Indices inside = s.near_ends(NodeKind::inside);
-    s.add_seeds(inside);
-    s.beyond = s.near_ends(NodeKind::surface);
-    if (inside.empty() && !s.beyond.empty()) return s.look_again(s.beyond, false);
-    again = !inside.empty();
-  } else {
-    again = s.goes_on(s.look(lattices, threads));
-  }
-  s.add_seeds(s.beyond);
-  return again && s.look_again(s.more, true);
+  Surroundings now = s.added(threads);
+  if (s.trying && !s.goes_on(s.find(now, lattices, threads))) return false;
+  s.known.add(std::move(now));
+  s.found = s.find(s.known, lattices, threads);
+  return s.look_on();
 }
 
 DislocationLines LineFinder::lines() {
@@ -175,7 +172,7 @@ DislocationLines LineFinder::lines() {
   LineNetwork less_smooth = found.network;
   smooth(found.network, smoothing, step);
   smooth(less_smooth, less_smoothing, step);
-  return described(found.network, less_smooth, found.zone, found.crystal);
+  return described(found.network, less_smooth, state_->known.zone, found.crystal);
 }
 
 }  // namespace mdana::defects

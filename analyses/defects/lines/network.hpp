@@ -39,13 +39,14 @@ struct LineSegment {
 struct LineNetwork {
   std::vector<LineNode> nodes;
   std::vector<LineSegment> segments;
-  double absorbed = 0;  ///< length of what was too near to a boundary to be told from it [spacings]
+  /// Length of what was too near to a boundary to be told from it, along its points and between its ends [spacings].
+  double absorbed = 0, absorbed_straight = 0;
 };
 
-/// Follows the facets with a Burgers vector from tetrahedron to tetrahedron. `sites` of the zone's atoms; `walls`:
+/// Follows the facets with a Burgers vector from tetrahedron to tetrahedron. `own` of the zone's atoms; `walls`:
 /// facets of tetrahedra that were taken out, in order.
 LineNetwork trace_lines(const Zone& zone, std::span<const Tetrahedron> cells, const Edges& edges,
-                        std::span<const Site> sites, std::span<const Corners> walls);
+                        std::span<const OwnFrame> own, std::span<const Corners> walls);
 
 /// Ends in good crystal within `widest` [spacings] of each other become one node, nearest first, if together
 /// they end nothing: lines that pass a hole in the core or a place that was not triangulated.

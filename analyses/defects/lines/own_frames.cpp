@@ -2,6 +2,7 @@
 #include "analyses/defects/lines/own_frames.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/LU>
 
@@ -37,16 +38,22 @@ bool fill(OwnFrame& frame, int kind, const Eigen::Matrix3d& map, const Neighbour
   return true;
 }
 
-/// Linear map from the template's neighbours to those that fill it: least squares.
-Eigen::Matrix3d fitted(const OwnFrame& frame, const Neighbours& found) {
+/// Map from the template's neighbours to those that fill it, by least squares, and its misfit.
+void fit(OwnFrame& frame, const Neighbours& found) {
   const auto& ideal = templates()[static_cast<std::size_t>(frame.kind)].neighbours;
+  Eigen::Matrix<double, 3, 12> at;
   Eigen::Matrix3d measured = Eigen::Matrix3d::Zero(), square = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < 12; ++k) {
     const auto n = std::ranges::find(found, frame.neighbours[k], &Neighbour::place);
+    at.col(static_cast<Eigen::Index>(k)) = n->offset.cast<double>();
     measured += n->offset.cast<double>() * ideal[k].transpose();
     square += ideal[k] * ideal[k].transpose();
   }
-  return measured * square.inverse();
+  frame.map = measured * square.inverse();
+  double sum = 0;
+  for (std::size_t k = 0; k < 12; ++k)
+    sum += (at.col(static_cast<Eigen::Index>(k)) - frame.map * ideal[k]).squaredNorm();
+  frame.misfit = std::sqrt(sum / 12);
 }
 
 /// The map of a hcp atom: three neighbours on one side of its layer are primitive vectors of fcc.
@@ -108,7 +115,7 @@ std::vector<OwnFrame> own_frames(const Sites& sites, const std::vector<std::uint
     frame.structure = sites.structure[places[k]];
     if (frame.structure != Structure::fcc && frame.structure != Structure::hcp) return;
     if (!find_own(frame, found) && !find_beside(frame, sites, found, search)) return;
-    frame.map = fitted(frame, found);
+    fit(frame, found);
     for (std::uint32_t& place : frame.neighbours) place = sites.index(place);
   });
   return frames;

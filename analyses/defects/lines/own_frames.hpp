@@ -18,6 +18,7 @@ struct OwnFrame {
   Structure structure;
   int kind = -1;        ///< of templates(); -1: none was found
   Eigen::Matrix3d map;  ///< from the template's vectors to [spacings]: its least squares deformation
+  double misfit = 0;    ///< root mean square distance of the neighbours from where that puts them [spacings]
   std::array<std::uint32_t, 12> neighbours;  ///< atoms at its places, by index in the frame
 };
 

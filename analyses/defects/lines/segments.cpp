@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "analyses/moments.hpp"
+
 namespace mdana::defects {
 namespace {
 
@@ -83,7 +85,9 @@ class Describer {
     for (std::size_t k = 0; k < network_.segments.size(); ++k)
       lines.segments.push_back(segment(network_.segments[k], length(less_smooth_, less_smooth_.segments[k])));
     std::ranges::stable_sort(lines.segments, std::greater(), [](const DislocationSegment& s) { return s.length.value; });
-    lines.absorbed = network_.absorbed * spacing_;
+    const double shortest = network_.absorbed_straight * spacing_;
+    const double longest = std::max(shortest, network_.absorbed * spacing_);
+    lines.absorbed = {(longest + shortest) / 2, (longest - shortest) / 2, dimension::length};
     lines.residual = residual();
     lines.unresolved = unresolved();
     return lines;
@@ -134,31 +138,40 @@ class Describer {
     for (const std::uint32_t atom : s.atoms) map += crystal_.map[atom].cast<double>();
     map *= ideal_parts / static_cast<double>(s.atoms.size());
     told.crystal = spacing_ * map * frame.turn;
-    const Eigen::Matrix3d back = frame.turn.transpose() * map.inverse();
+    const std::vector<Eigen::Vector3d> line = pieces(s, frame.turn.transpose() * map.inverse());
+    if (line.empty()) return;
     const Eigen::Vector3d b = told.burgers_here.normalized();
-    constexpr std::array<std::array<int, 3>, 4> planes{{{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}};
-    std::array<double, 4> tilt{};
-    double angle = 0, whole = 0;
-    for (std::size_t i = 1; i < s.points.size(); ++i) {
-      const Eigen::Vector3d t = back * (s.points[i] - s.points[i - 1]);
-      const double l = t.norm();
-      if (!(l > 0)) continue;
-      whole += l;
-      angle += l * std::acos(std::min(1.0, std::abs(b.dot(t)) / l));
-      for (std::size_t k = 0; k < 4; ++k)
-        tilt[k] += l * std::asin(std::min(1.0, std::abs(normal(planes[k]).dot(t)) / l));
+    const Moments<1> angle = angle_to(b, line);
+    told.character = angle.mean[0];
+    told.character_spread = std::sqrt(angle.spread / angle.weight);
+    double least = most_tilt;
+    for (const Eigen::Vector3i& plane : {Eigen::Vector3i(1, 1, 1), {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}) {
+      const Eigen::Vector3d normal = plane.cast<double>().normalized();
+      const double tilt = std::numbers::pi / 2 - angle_to(normal, line).mean[0];
+      if (!(std::abs(normal.dot(b)) < 1e-6) || !(tilt < least)) continue;
+      least = tilt;
+      told.slip_plane = plane;
     }
-    if (!(whole > 0)) return;
-    told.character = angle / whole;
-    std::size_t best = 4;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (std::abs(normal(planes[k]).dot(b)) < 1e-6 && (best == 4 || tilt[k] < tilt[best])) best = k;
-    if (best < 4 && tilt[best] / whole < most_tilt)
-      told.slip_plane = Eigen::Vector3i(planes[best][0], planes[best][1], planes[best][2]);
   }
 
-  static Eigen::Vector3d normal(const std::array<int, 3>& plane) {
-    return Eigen::Vector3d(plane[0], plane[1], plane[2]) / std::sqrt(3.0);
+  /// From point to point, after a map.
+  static std::vector<Eigen::Vector3d> pieces(const LineSegment& s, const Eigen::Matrix3d& map) {
+    std::vector<Eigen::Vector3d> all;
+    for (std::size_t i = 1; i < s.points.size(); ++i) {
+      all.emplace_back(map * (s.points[i] - s.points[i - 1]));
+      if (!(all.back().norm() > 0)) all.pop_back();
+    }
+    return all;
+  }
+
+  /// The angle between a direction and pieces of a line, by their lengths [rad]: 0 to pi/2.
+  static Moments<1> angle_to(const Eigen::Vector3d& direction, const std::vector<Eigen::Vector3d>& line) {
+    Moments<1> angle;
+    for (const Eigen::Vector3d& piece : line) {
+      const double l = piece.norm(), cosine = std::min(1.0, std::abs(direction.dot(piece)) / l);
+      angle.merge({1, l, Moments<1>::Vector(std::acos(cosine)), 0});
+    }
+    return angle;
   }
 
   /// What segments bring to each region without a known lattice, body by body.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "analyses/defects/lines/edges.hpp"
@@ -10,6 +9,7 @@ namespace {
 
 /// A facet at a guessed edge: the other two edges, and how they count.
 struct Facet {
+  double girth;  ///< of these two [spacings]: for an order that does not depend on how atoms are numbered
   std::uint32_t low_third, high_third;  ///< edges
   int low_sign, high_sign;              ///< in the circulation low, high, third
   bool open = true;                     ///< of one tetrahedron only
@@ -17,13 +17,15 @@ struct Facet {
 };
 
 /// Edges whose vectors may be changed, with the facets about them: guessed ones, and those of facets with
-/// a Burgers vector.
+/// a Burgers vector; the shortest first.
 class Changeable {
  public:
-  Changeable(Edges& edges, std::span<const Tetrahedron> cells) : edges_(edges), number_(edges.size(), none) {
+  Changeable(Edges& edges, std::span<const Tetrahedron> cells, const Zone& zone)
+      : edges_(edges), zone_(zone), number_(edges.size(), none) {
     for (std::uint32_t e = 0; e < edges.size(); ++e)
       if (edges.kind[e] == EdgeKind::guessed) take(e);
     for (const Tetrahedron& t : cells) take_pierced(t);
+    put_in_order();
     facets_.resize(changeable_.size());
     for (const Tetrahedron& t : cells) add(t);
     for (auto& facets : facets_) {
@@ -56,6 +58,17 @@ class Changeable {
     changeable_.push_back(edge);
   }
 
+  void put_in_order() {
+    std::vector<double> length(edges_.size());
+    for (std::uint32_t low = 0; low < zone_.size(); ++low)
+      for (std::uint32_t e = edges_.first[low]; e < edges_.first[low + 1]; ++e)
+        if (number_[e] != none) length[e] = distance(low, edges_.high[e]);
+    std::ranges::sort(changeable_, {}, [&](std::uint32_t e) { return std::pair(length[e], e); });
+    for (std::uint32_t k = 0; k < changeable_.size(); ++k) number_[changeable_[k]] = k;
+  }
+
+  double distance(std::uint32_t a, std::uint32_t b) const { return (zone_.at[a] - zone_.at[b]).norm(); }
+
   void take_pierced(const Tetrahedron& t) {
     for (std::size_t side = 0; side < 4; ++side) {
       const Corners f = side_of(t, side);
@@ -78,7 +91,7 @@ class Changeable {
 
   Facet facet(std::uint32_t low, std::uint32_t high, std::uint32_t third) const {
     const auto side = [&](std::uint32_t a, std::uint32_t b) { return edges_.index(std::min(a, b), std::max(a, b)); };
-    return {side(low, third), side(high, third), third < low ? 1 : -1, high < third ? 1 : -1};
+    return {distance(low, third) + distance(high, third), side(low, third), side(high, third), third < low ? 1 : -1, high < third ? 1 : -1};
   }
 
   Ideal circulation(std::uint32_t k, const Facet& f) const {
@@ -132,6 +145,7 @@ class Changeable {
   }
 
   Edges& edges_;
+  const Zone& zone_;
   std::vector<std::uint32_t> changeable_;
   std::vector<std::vector<Facet>> facets_;
   std::vector<std::uint32_t> number_;  ///< of each edge among the guessed ones
@@ -139,6 +153,8 @@ class Changeable {
 
 }  // namespace
 
-void tighten(Edges& edges, std::span<const Tetrahedron> cells) { Changeable(edges, cells).tighten(); }
+void tighten(Edges& edges, std::span<const Tetrahedron> cells, const Zone& zone) {
+  Changeable(edges, cells, zone).tighten();
+}
 
 }  // namespace mdana::defects

@@ -27,9 +27,9 @@ struct Passage {
 
 class Tracer {
  public:
-  Tracer(const Zone& zone, std::span<const Tetrahedron> cells, const Edges& edges, std::span<const Site> sites,
+  Tracer(const Zone& zone, std::span<const Tetrahedron> cells, const Edges& edges, std::span<const OwnFrame> own,
          std::span<const Corners> walls)
-      : zone_(zone), cells_(cells), edges_(edges), sites_(sites), walls_(walls), regions_(zone.size()) {
+      : zone_(zone), cells_(cells), edges_(edges), own_(own), walls_(walls), regions_(zone.size()) {
     for (const Corners& f : walls)
       for (const std::size_t k : {1, 2}) regions_.join(f[0], f[k]);
   }
@@ -69,8 +69,8 @@ class Tracer {
     if (std::ranges::binary_search(walls_, f)) return NodeKind::lattice;
     NodeKind kind = NodeKind::inside;
     for (const std::uint32_t i : f) {
-      if (sites_[i] == Site::contact) return NodeKind::contact;
-      if (sites_[i] == Site::surface) kind = NodeKind::surface;
+      if (own_[i].site == Site::contact) return NodeKind::contact;
+      if (own_[i].site == Site::surface) kind = NodeKind::surface;
     }
     return kind;
   }
@@ -126,7 +126,7 @@ class Tracer {
   const Zone& zone_;
   std::span<const Tetrahedron> cells_;
   const Edges& edges_;
-  std::span<const Site> sites_;
+  std::span<const OwnFrame> own_;
   std::span<const Corners> walls_;
   DisjointSets regions_;  ///< atoms of the facets of what was taken out
   std::vector<Pierced> pierced_;
@@ -150,8 +150,8 @@ double length(const LineNetwork& network, const LineSegment& segment) {
 }
 
 LineNetwork trace_lines(const Zone& zone, std::span<const Tetrahedron> cells, const Edges& edges,
-                        std::span<const Site> sites, std::span<const Corners> walls) {
-  return Tracer(zone, cells, edges, sites, walls).trace();
+                        std::span<const OwnFrame> own, std::span<const Corners> walls) {
+  return Tracer(zone, cells, edges, own, walls).trace();
 }
 
 }  // namespace mdana::defects
