@@ -17,6 +17,7 @@
 #include "reports/study/page.hpp"
 #include "reports/study/pooled_figures.hpp"
 #include "reports/study/provenance.hpp"
+#include "reports/study/run_pictures.hpp"
 #include "reports/version.hpp"
 
 namespace mdana {
@@ -36,12 +37,13 @@ bool drawable(Figure& figure) {
 }
 
 /// Tables and figures of one run.
-void write_run(const RunRecord& record, const fs::path& directory) {
+void write_run(const ReportedRun& run, const RunRecord& record, const fs::path& directory) {
   fs::create_directories(directory);
   for (const NamedTable& named : record.tables)
     if (named.table.rows() > 0) write_file(directory / (named.name + ".csv"), to_csv(named.table));
   for (Figure figure : record.figures)
     if (drawable(figure)) draw(figure, directory);
+  if (!record.snapshots.empty()) draw(snapshot_figure(run, record), directory);
 }
 
 PageFigure on_page(const Figure& figure) { return {figure.name, figure.alt, live_figure(figure)}; }
@@ -141,7 +143,7 @@ class Report {
   void write_runs() {
     std::vector<Work> works;
     for (const ReportedRun& run : reported_)
-      if (run.measured()) works.push_back([&] { write_run(cache_.load(run.file), place_of(run)); });
+      if (run.measured()) works.push_back([&] { write_run(run, cache_.load(run.file), place_of(run)); });
     do_all(works);
   }
 
@@ -153,6 +155,7 @@ class Report {
   }
 
   void read_runs(StudyHdf5& hdf5) {
+    const auto measured = static_cast<std::size_t>(std::ranges::count_if(reported_, &ReportedRun::measured));
     for (ReportedRun& run : reported_) {
       sections_.push_back({&run, {}});
       if (!run.measured()) continue;
@@ -162,6 +165,8 @@ class Report {
       figures_.add(run, record);
       hdf5.add_run(run, record);
       if (run.aggregate()) aggregates_.push_back(compressed_of(run.name, record));
+      sections_.back().figures = run_pictures(run, record, measured);
+      sections_.back().structure = structure_text(run);
       for (Figure& figure : record.figures)
         if (drawable(figure)) sections_.back().figures.push_back(on_page(std::move(figure), run));
     }

@@ -156,7 +156,7 @@ TEST(DefectView, ShowsHcpAtomsDefectsAndFaults) {
 TEST(DefectView, StillPictureTakesNothingAndOnePoint) {
   EXPECT_EQ(still_picture({}).find("circle"), std::string::npos);
   const std::string one = still_picture({"", {{"hcp atoms", "#e0574f", 1, {{3, 4, 5}}}}, {}, {}});
-  EXPECT_NE(one.find("cx='360.0' cy='230.0'"), std::string::npos) << one;
+  EXPECT_NE(one.find("x='360' y='230'"), std::string::npos) << one;
 }
 
 }  // namespace
