@@ -67,9 +67,9 @@ Slice slice_of(const FrameStore& frame, std::optional<double> diameter) {
   frame.for_blocks([&](const FrameAtoms& atoms, std::size_t) {
     for (std::size_t i = 0; i < atoms.size(); ++i) {
       const Vector3d from = position(atoms, i) - middle;
-      const double height = 2 * from.dot(normal);
-      if (-slice.diameter < height && height <= slice.diameter)
-        slice.at[atoms.body[i] - 1u].emplace_back(from.dot(across), from.dot(along));
+      const double height = from.dot(normal);
+      if (-slice.diameter < 2 * height && 2 * height <= slice.diameter)
+        slice.at[atoms.body[i] - 1u].emplace_back(from.dot(across), from.dot(along), height);
     }
   });
   return slice;

@@ -17,8 +17,8 @@ namespace mdana {
 /// as it can be (to the x axis if the line of centres is near z).
 struct Slice {
   double diameter = 0;  ///< of an atom; the slice is as thick [length]
-  /// Of body 1, 2 [length]: across the line of centres and along it, from the middle between the centres.
-  std::array<std::vector<Eigen::Vector2d>, 2> at;
+  /// Of body 1, 2 [length]: across the line of centres, along it, and above the plane, from the middle between the centres.
+  std::array<std::vector<Eigen::Vector3d>, 2> at;
 
   std::size_t size() const { return at[0].size() + at[1].size(); }
 };

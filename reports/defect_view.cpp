@@ -60,6 +60,19 @@ Json frame_json(const ViewedFrame& frame) {
   return json;
 }
 
+void thin_atoms(ViewedFrame& frame, std::size_t most) {
+  std::size_t count = 0;
+  for (const ViewedAtoms& a : frame.atoms) count += a.at.size();
+  const std::size_t stride = (count + most - 1) / most;
+  if (stride <= 1) return;
+  frame.one_of *= stride;
+  for (ViewedAtoms& a : frame.atoms) {
+    std::vector<Vector3d> kept;
+    for (std::size_t i = 0; i < a.at.size(); i += stride) kept.push_back(a.at[i]);
+    a.at = std::move(kept);
+  }
+}
+
 }  // namespace
 
 ViewedLine viewed_line(std::string_view family, std::vector<Vector3d> at) {
@@ -85,19 +98,23 @@ std::vector<ViewedLine> viewed_sphere(const std::string& name, const Vector3d& c
 }
 
 std::string shown_label(const ViewedFrame& frame) {
-  return frame.one_of > 1 ? fmt::format("{}, one atom of {}", frame.label, frame.one_of) : frame.label;
+  std::string text = frame.label;
+  if (frame.one_of > 1) text += fmt::format(", one atom of {}", frame.one_of);
+  if (frame.dropped > 0) text += fmt::format(", without the {} smallest lines and faults", frame.dropped);
+  return text;
 }
 
-void thin(ViewedFrame& frame, std::size_t most) {
-  std::size_t count = 0;
-  for (const ViewedAtoms& a : frame.atoms) count += a.at.size();
-  const std::size_t stride = (count + most - 1) / std::max<std::size_t>(most, 1);
-  if (stride <= 1) return;
-  frame.one_of *= stride;
-  for (ViewedAtoms& a : frame.atoms) {
-    std::vector<Vector3d> kept;
-    for (std::size_t i = 0; i < a.at.size(); i += stride) kept.push_back(a.at[i]);
-    a.at = std::move(kept);
+void limit(ViewedFrame& frame, const ViewLimits& most) {
+  thin_atoms(frame, most.atoms);
+  const auto guides = std::ranges::stable_partition(frame.lines, [](const ViewedLine& l) { return !l.guide; });
+  const auto lines = static_cast<std::size_t>(guides.begin() - frame.lines.begin());
+  if (lines > most.lines) {
+    frame.dropped += lines - most.lines;
+    frame.lines.erase(frame.lines.begin() + static_cast<std::ptrdiff_t>(most.lines), guides.begin());
+  }
+  if (frame.planes.size() > most.planes) {
+    frame.dropped += frame.planes.size() - most.planes;
+    frame.planes.resize(most.planes);
   }
 }
 

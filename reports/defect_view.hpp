@@ -36,6 +36,7 @@ struct ViewedFrame {
   std::vector<ViewedLine> lines;
   std::vector<ViewedPlane> planes;
   std::size_t one_of = 1;  ///< atoms: so many of them for each that is left
+  std::size_t dropped = 0; ///< lines and planes, the shortest and smallest
 };
 
 /// Chosen frames of a run in three dimensions.
@@ -58,8 +59,12 @@ std::vector<ViewedLine> viewed_sphere(const std::string& name, const Eigen::Vect
 /// hcp atoms and bulk defects (if there are labels), fault planes and dislocation lines of a frame.
 ViewedFrame viewed_frame(const FrameDefects& defects, std::string label);
 
-/// At most `most` atoms: every 2nd, 3rd, ... of each kind if there are more, which the label says.
-void thin(ViewedFrame& frame, std::size_t most);
+/// How much of a frame is shown.
+struct ViewLimits {
+  std::size_t atoms, lines, planes;
+};
+/// Every 2nd, 3rd, ... atom of each kind, the first lines and planes, and all guides, which the label says.
+void limit(ViewedFrame& frame, const ViewLimits& most);
 std::string shown_label(const ViewedFrame& frame);
 
 /// {title, alt, unit, shown, frames: [{label, atoms: [{name, colour, diameter, at}], lines: [{name, colour, burgers,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,20 +10,34 @@
 namespace mdana {
 namespace {
 
-constexpr double least_square = 2;  ///< diameters: no square inside a solid is empty
-
+constexpr double least_row = 1;  ///< diameters: a row of a solid has no gaps
+constexpr double room = 1.6;     ///< diameters between two atoms that end a strip
 constexpr double growth = 1.25;
-constexpr int most_sizes = 60;         ///< a million times the first
+constexpr int most_heights = 60;  ///< a million times the first
 
-using Square = std::pair<long, long>;  ///< row, column
+std::vector<Strip> pieces(const Snapshot& snapshot, std::size_t body) {
+  if (snapshot.row > 0) return snapshot.strips[body];
+  std::vector<Strip> all;
+  for (const Eigen::Vector3d& p : snapshot.at[body])
+    all.push_back({p.x() - 0.5 * snapshot.diameter, p.x() + 0.5 * snapshot.diameter, p.y()});
+  return all;
+}
 
-/// Atoms of body 1 and 2 in each square, row by row.
-std::map<Square, std::array<std::size_t, 2>> counted(const Snapshot& snapshot, double size) {
-  std::map<Square, std::array<std::size_t, 2>> squares;
-  for (std::size_t body = 0; body < 2; ++body)
-    for (const Eigen::Vector2d& p : snapshot.at[body])
-      ++squares[{std::lround(std::floor(p.y() / size)), std::lround(std::floor(p.x() / size))}][body];
-  return squares;
+/// Pieces in rows of a height, from below, those that are near put together.
+std::vector<Strip> in_rows(std::vector<Strip> all, double row, double gap) {
+  for (Strip& s : all) s.height = (std::floor(s.height / row) + 0.5) * row;
+  std::ranges::sort(all, {}, [](const Strip& s) { return std::pair(s.height, s.from); });
+  std::vector<Strip> strips;
+  for (const Strip& s : all)
+    if (!strips.empty() && strips.back().height == s.height && s.from - strips.back().to <= gap)
+      strips.back().to = std::max(strips.back().to, s.to);
+    else
+      strips.push_back(s);
+  return strips;
+}
+
+std::size_t drawn(const Snapshot& s) {
+  return s.row > 0 ? s.strips[0].size() + s.strips[1].size() : s.at[0].size() + s.at[1].size();
 }
 
 std::string number(double value) {
@@ -34,20 +47,18 @@ std::string number(double value) {
 
 }  // namespace
 
-Snapshot with_squares(const Snapshot& snapshot, double size) {
-  Snapshot coarse = snapshot;
-  coarse.squares = true;
-  coarse.size = size;
-  coarse.at = {};
-  for (const auto& [square, atoms] : counted(snapshot, size))
-    coarse.at[atoms[1] > atoms[0]].emplace_back((static_cast<double>(square.second) + 0.5) * size,
-                                                (static_cast<double>(square.first) + 0.5) * size);
-  return coarse;
+Snapshot with_rows(const Snapshot& snapshot, double row) {
+  Snapshot rows = snapshot;
+  rows.row = row;
+  rows.at = {};
+  for (const std::size_t body : {0, 1})
+    rows.strips[body] = in_rows(pieces(snapshot, body), row, room * snapshot.diameter);
+  return rows;
 }
 
 Snapshot snapshot_of(const Slice& slice) {
   Snapshot snapshot;
-  snapshot.thickness = snapshot.size = slice.diameter;
+  snapshot.diameter = slice.diameter;
   snapshot.atoms = slice.size();
   snapshot.at = slice.at;
   return snapshot;
@@ -55,30 +66,17 @@ Snapshot snapshot_of(const Slice& slice) {
 
 void limit(std::vector<Snapshot>& snapshots, std::size_t most) {
   const auto too_many = [&](const std::vector<Snapshot>& all) {
-    return std::ranges::any_of(all, [&](const Snapshot& s) { return s.count() > most; });
+    return std::ranges::any_of(all, [&](const Snapshot& s) { return drawn(s) > most; });
   };
   if (!too_many(snapshots)) return;
-  double size = 0;
-  for (const Snapshot& s : snapshots) size = std::max(size, least_square * s.thickness);
-  std::vector<Snapshot> coarse = snapshots;
-  for (int k = 0; k < most_sizes; ++k, size *= growth) {
-    std::ranges::transform(snapshots, coarse.begin(), [&](const Snapshot& s) { return with_squares(s, size); });
-    if (!too_many(coarse)) break;
+  double row = 0;
+  for (const Snapshot& s : snapshots) row = std::max(row, least_row * s.diameter);
+  std::vector<Snapshot> rows = snapshots;
+  for (int k = 0; k < most_heights; ++k, row *= growth) {
+    std::ranges::transform(snapshots, rows.begin(), [&](const Snapshot& s) { return with_rows(s, row); });
+    if (!too_many(rows)) break;
   }
-  snapshots = std::move(coarse);
-}
-
-std::vector<Strip> strips(const std::vector<Eigen::Vector2d>& squares, double size) {
-  std::vector<Strip> rows;
-  for (const Eigen::Vector2d& p : squares) {
-    const bool next = !rows.empty() && std::abs(rows.back().height - p.y()) < 0.5 * size &&
-                      std::abs(rows.back().to - (p.x() - 0.5 * size)) < 0.5 * size;
-    if (next)
-      rows.back().to = p.x() + 0.5 * size;
-    else
-      rows.push_back({p.x() - 0.5 * size, p.x() + 0.5 * size, p.y()});
-  }
-  return rows;
+  snapshots = std::move(rows);
 }
 
 std::string moment(const Snapshot& snapshot, Units units) {
@@ -94,10 +92,9 @@ std::string caption(const SnapshotFigure& figure) {
   const Snapshot& first = figure.snapshots.front();
   const std::string length = symbol(figure.units, dimension::length);
   std::string text = fmt::format("Slice through both centres, one {} ({} {}) thick, the line of centres upwards, coloured by body. ",
-                                 figure.of, number(first.thickness), length);
-  if (first.squares)
-    text += fmt::format("Squares of {} {} stand for the {} {}s in it, each for those of the body that has most there. ",
-                        number(first.size), length, first.atoms, figure.of);
+                                 figure.of, number(first.diameter), length);
+  if (first.row > 0)
+    text += fmt::format("Rows of {} {} stand for the {} {}s in it. ", number(first.row), length, first.atoms, figure.of);
   char letter = 'a';
   for (const Snapshot& s : figure.snapshots) {
     const std::string when = moment(s, figure.units);
@@ -108,38 +105,30 @@ std::string caption(const SnapshotFigure& figure) {
 }
 
 Table snapshot_table(const SnapshotFigure& figure) {
-  std::vector<std::string> labels;
-  std::vector<double> snapshot, step, body, x, y, size;
-  for (const Snapshot& s : figure.snapshots) {
-    for (std::size_t b = 0; b < 2; ++b)
-      for (const Eigen::Vector2d& p : s.at[b]) {
-        snapshot.push_back(static_cast<double>(labels.size()));
-        step.push_back(static_cast<double>(s.step));
-        body.push_back(static_cast<double>(b + 1));
-        x.push_back(p.x());
-        y.push_back(p.y());
-        size.push_back(s.size);
-      }
-    labels.push_back(s.label);
-  }
   Table table;
-  if (labels.empty()) return table;
-  table.add_column({"snapshot", dimension::none, std::move(labels)}, std::move(snapshot));
-  table.add_column({"step", dimension::none}, std::move(step));
-  table.add_column({"body", dimension::none}, std::move(body));
-  table.add_column({"x", dimension::length}, std::move(x));
-  table.add_column({"y", dimension::length}, std::move(y));
-  table.add_column({"size", dimension::length}, std::move(size));
+  if (figure.snapshots.empty()) return table;
+  const bool rows = figure.snapshots.front().row > 0;
+  std::vector<std::string> labels;
+  for (const Snapshot& s : figure.snapshots) labels.push_back(s.label);
+  std::vector<ColumnSpec> columns{{"snapshot", dimension::none, std::move(labels)}, {"step", dimension::none}, {"body", dimension::none}};
+  for (const char* name : rows ? std::array{"x_from", "x_to", "y", "height"} : std::array{"x", "y", "z", "diameter"})
+    columns.push_back({name, dimension::length});
+  table = Table(std::move(columns));
+  for (std::size_t k = 0; k < figure.snapshots.size(); ++k)
+    for (const std::size_t body : {0, 1}) {
+      const Snapshot& s = figure.snapshots[k];
+      const std::array head{static_cast<double>(k), static_cast<double>(s.step), static_cast<double>(body + 1)};
+      for (const Eigen::Vector3d& p : s.at[body]) table.add_row(std::array{head[0], head[1], head[2], p.x(), p.y(), p.z(), s.diameter});
+      for (const Strip& p : s.strips[body]) table.add_row(std::array{head[0], head[1], head[2], p.from, p.to, p.height, s.row});
+    }
   return table;
 }
 
 SnapshotFigure within(SnapshotFigure figure, std::size_t bytes) {
-  double size = 0;
-  for (const Snapshot& s : figure.snapshots) size = std::max(size, s.squares ? s.size : least_square / growth * s.size);
-  for (int k = 0; k < most_sizes && snapshot_picture(figure).size() > bytes; ++k) {
-    size *= growth;
-    for (Snapshot& s : figure.snapshots) s = with_squares(s, size);
-  }
+  double row = 0;
+  for (const Snapshot& s : figure.snapshots) row = std::max(row, s.row > 0 ? s.row * growth : least_row * s.diameter);
+  for (int k = 0; k < most_heights && snapshot_picture(figure).size() > bytes; ++k, row *= growth)
+    for (Snapshot& s : figure.snapshots) s = with_rows(s, row);
   return figure;
 }
 

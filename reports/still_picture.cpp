@@ -89,6 +89,16 @@ void add_atoms(std::vector<Shape>& shapes, const ViewedAtoms& atoms, std::size_t
   }
 }
 
+/// Points of a line that are far enough from the one before to be seen; the last one always.
+std::vector<Vector3d> seen_points(const ViewedLine& line, const Paper& paper) {
+  constexpr double least = 4;  // pixels
+  std::vector<Vector3d> points;
+  for (std::size_t i = 0; i < line.at.size(); ++i)
+    if (points.empty() || i + 1 == line.at.size() || (paper.at(line.at[i]) - paper.at(points.back())).norm() >= least)
+      points.push_back(line.at[i]);
+  return points;
+}
+
 /// Piece by piece, since a line can pass both before and behind something; a guide is behind all.
 void add_line(std::vector<Shape>& shapes, const ViewedLine& line, const Paper& paper) {
   if (line.guide)
@@ -96,10 +106,12 @@ void add_line(std::vector<Shape>& shapes, const ViewedLine& line, const Paper& p
                       fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='1'/>\n",
                                   corners(line.at, paper), line.colour)});
   if (line.guide) return;
-  for (std::size_t i = 0; i + 1 < line.at.size(); ++i) {
-    const std::vector<Vector3d> piece{line.at[i], line.at[i + 1]};
-    shapes.push_back({nearness(piece), fmt::format("<polyline points='{}' stroke='{}' stroke-width='3' "
-                                                   "stroke-linecap='round'/>\n", corners(piece, paper), line.colour)});
+  const std::vector<Vector3d> points = seen_points(line, paper);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vector2d from = paper.at(points[i]), to = paper.at(points[i + 1]) - from;
+    shapes.push_back({nearness({points[i], points[i + 1]}),
+                      fmt::format("<path class='l' stroke='{}' d='M{:.0f},{:.0f}l{:.0f},{:.0f}'/>\n", line.colour, from.x(), from.y(),
+                                  to.x(), to.y())});
   }
 }
 
@@ -155,7 +167,7 @@ std::string still_picture(const ViewedFrame& frame) {
   const Paper paper(frame);
   const Legend legend = legend_of(frame);
   std::string text = fmt::format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1:.0f}' font-family='Helvetica,"
-                                 "Arial,sans-serif' font-size='14'>\n<rect width='{0}' height='{1:.0f}' fill='#ffffff'/>\n<defs>\n",
+                                 "Arial,sans-serif' font-size='14'>\n<rect width='{0}' height='{1:.0f}' fill='#ffffff'/>\n<style>.l{{stroke-width:3;stroke-linecap:round}}</style><defs>\n",
                                  width, height + legend.height + 8);
   for (std::size_t k = 0; k < frame.atoms.size(); ++k) text += disc(frame.atoms[k], k, paper);
   text += "</defs>\n<g stroke='#333333' stroke-width='0.4'>\n";

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_atoms_drawn = 8000;    ///< of a slice, one by one
-constexpr std::size_t most_atoms_viewed = 20000;  ///< of a frame
+constexpr ViewLimits most_viewed{20000, 3000, 500};  ///< of a frame
 constexpr double far_apart = 1.25;                ///< over the distance of the centres at first, or of touching bodies
 
 struct ChosenFrame {
@@ -145,7 +145,7 @@ void add_views(RunRecord& record, const Run& run, const DefectHistory& history, 
     settings.lines = settings.labels = true;
     settings.product = [&](const FrameHeader&, const FrameDefects& found) {
       record.views.push_back(viewed_frame(found, fmt::format("{}, δ = {:.4g}", chosen.label, history.delta[chosen.row])));
-      thin(record.views.back(), most_atoms_viewed);
+      limit(record.views.back(), most_viewed);
       add_spheres(record.views.back(), found, radii);
       list.push_back(told(chosen, history, found));
     };

@@ -155,7 +155,7 @@ class Report {
   }
 
   void read_runs(StudyHdf5& hdf5) {
-    const auto measured = static_cast<std::size_t>(std::ranges::count_if(reported_, &ReportedRun::measured));
+    RunPictures pictures(static_cast<std::size_t>(std::ranges::count_if(reported_, &ReportedRun::measured)));
     for (ReportedRun& run : reported_) {
       sections_.push_back({&run, {}});
       if (!run.measured()) continue;
@@ -165,11 +165,14 @@ class Report {
       figures_.add(run, record);
       hdf5.add_run(run, record);
       if (run.aggregate()) aggregates_.push_back(compressed_of(run.name, record));
-      sections_.back().figures = run_pictures(run, record, measured);
+      sections_.back().figures = pictures.of(run, record);
       sections_.back().structure = structure_text(run);
       for (Figure& figure : record.figures)
         if (drawable(figure)) sections_.back().figures.push_back(on_page(std::move(figure), run));
     }
+    if (pictures.without_view() > 0)
+      left_out_.push_back({fmt::format("3-D views of {} runs with lattice defects", pictures.without_view()),
+                           "the page would grow too large; mdana defects --vtp writes them"});
   }
 
   void draw_pooled() {
@@ -197,7 +200,7 @@ class Report {
   }
 
   void list_left_out() {
-    left_out_ = figures_.left_out();
+    for (const LeftOut& l : figures_.left_out()) left_out_.push_back(l);
     if (!StudyHdf5::available()) left_out_.push_back({"results.h5", "this build has no HDF5"});
     const bool undrawn = std::ranges::any_of(
         pooled_, [&](const PageFigure& f) { return !fs::exists(directory_ / "figures" / (f.name + ".svg")); });

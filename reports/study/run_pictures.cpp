@@ -13,16 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t page_bytes = 3'000'000;  ///< of all runs' snapshots, and as many of their views
-constexpr std::size_t bytes_an_atom = 64;      ///< of a view: in three frames and the still picture, about
+constexpr std::size_t page_bytes = 3'000'000;  ///< of all runs' snapshots, and about as many of their views
 
-/// What each of so many runs may take.
+/// What each of so many runs may take [bytes].
 std::size_t share(std::size_t runs, std::size_t least, std::size_t most) {
   return std::clamp(page_bytes / std::max<std::size_t>(runs, 1), least, most);
 }
 
 PageFigure snapshots_on_page(const ReportedRun& run, const RunRecord& record, std::size_t runs) {
-  const std::size_t bytes = share(runs, 6000, 60'000) * 3 / 4;  // base64
+  const std::size_t bytes = share(runs, 6000, 300'000) * 3 / 4;  // base64
   const SnapshotFigure figure = within(snapshot_figure(run, record), bytes);
   const std::string text = caption(figure);
   return {"snapshots", text, html::element("figure", html::picture(snapshot_picture(figure), text) +
@@ -35,15 +34,21 @@ std::size_t shown_first(const std::vector<ViewedFrame>& frames) {
   return static_cast<std::size_t>(most - frames.begin()) % frames.size();
 }
 
-PageFigure view_on_page(const ReportedRun& run, const RunRecord& record, std::size_t runs) {
+PageFigure view_on_page(const ReportedRun& run, const RunRecord& record, std::size_t bytes) {
   DefectView view{fmt::format("runs/{}/defects", run.file), run.name + ": lattice defects", "", symbol(run.units(), dimension::length),
                   record.views, shown_first(record.views)};
-  for (ViewedFrame& frame : view.frames) thin(frame, share(runs, 10'000, 400'000) / bytes_an_atom);
+  for (ViewedFrame& frame : view.frames) limit(frame, {bytes / 128, bytes / 2000, bytes / 8000});
   std::string frames;
   for (const ViewedFrame& frame : view.frames) frames += (frames.empty() ? "" : "; ") + shown_label(frame);
   view.alt = fmt::format("Atoms of hcp order, bulk defects, faults as discs of their area and dislocation lines, in the frames: {}. "
                          "The picture shows: {}.", frames, shown_label(view.frames[view.shown]));
   return {"defects", view.alt, live_view(view)};
+}
+
+/// As they are written in a table's head.
+std::string shown_family(std::string name) {
+  if (name == "shockley" || name == "hirth" || name == "frank") name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name == "stair_rod" ? "stair-rod" : name;
 }
 
 std::string cell(const Json& family) {
@@ -52,8 +57,8 @@ std::string cell(const Json& family) {
 }
 
 std::string lines_table(const Json& frames) {
-  std::vector<std::string> head{"frame", "step", "delta", "hcp atoms", "bulk defects", "faults", "twins"};
-  for (const auto& [family, unused] : frames.front().at("lines").items()) head.push_back(family == "stair_rod" ? "stair-rod" : family);
+  std::vector<std::string> head{"frame", "step", "δ", "hcp atoms", "bulk defects", "faults", "twins"};
+  for (const auto& [family, unused] : frames.front().at("lines").items()) head.push_back(shown_family(family));
   head.push_back("all lines");
   std::vector<std::vector<std::string>> rows;
   for (const Json& f : frames) {
@@ -69,13 +74,19 @@ std::string lines_table(const Json& frames) {
 }  // namespace
 
 SnapshotFigure snapshot_figure(const ReportedRun& run, const RunRecord& record) {
-  return {"snapshots", run.name, run.aggregate() ? "grain" : "atom", run.units(), record.snapshots};
+  return {"snapshots", run.name, run.aggregate() ? "grain" : "atom",
+          parse_units(record.document.at("units").get<std::string>()).value(), record.snapshots};
 }
 
-std::vector<PageFigure> run_pictures(const ReportedRun& run, const RunRecord& record, std::size_t runs) {
+std::vector<PageFigure> RunPictures::of(const ReportedRun& run, const RunRecord& record) {
+  const std::size_t bytes = share(runs_, 100'000, 500'000);
   std::vector<PageFigure> figures;
-  if (!record.snapshots.empty()) figures.push_back(snapshots_on_page(run, record, runs));
-  if (!record.views.empty()) figures.push_back(view_on_page(run, record, runs));
+  if (!record.snapshots.empty()) figures.push_back(snapshots_on_page(run, record, runs_));
+  if (record.views.empty()) return figures;
+  if (++views_ <= std::max<std::size_t>(1, page_bytes / bytes))
+    figures.push_back(view_on_page(run, record, bytes));
+  else
+    ++without_view_;
   return figures;
 }
 

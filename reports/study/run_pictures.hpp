@@ -12,8 +12,18 @@ namespace mdana {
 /// The snapshots of a run, for its files.
 SnapshotFigure snapshot_figure(const ReportedRun& run, const RunRecord& record);
 
-/// Its snapshots and the 3-D view of its defects for the page, as small as a page of so many runs needs.
-std::vector<PageFigure> run_pictures(const ReportedRun& run, const RunRecord& record, std::size_t runs);
+/// Pictures of the runs of a page, as small as so many runs need: snapshots of all, 3-D views of defects of the first
+/// that have some.
+class RunPictures {
+ public:
+  explicit RunPictures(std::size_t runs) : runs_(runs) {}
+
+  std::vector<PageFigure> of(const ReportedRun& run, const RunRecord& record);
+  std::size_t without_view() const { return without_view_; }  ///< runs with defects, for which the page has no room
+
+ private:
+  std::size_t runs_, views_ = 0, without_view_ = 0;
+};
 
 /// Lengths of dislocation lines by family in the frames of the view, as HTML; a sentence for a run without defects,
 /// and nothing if they were not looked for.

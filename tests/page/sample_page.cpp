@@ -101,7 +101,7 @@ Snapshot snapshot(const char* label, double distance) {
   for (int i = -10; i <= 10; ++i)
     for (int k = -10; k <= 10; ++k)
       for (const std::size_t body : {0, 1})
-        if (std::hypot(i, k) < 10.5) slice.at[body].emplace_back(1.1 * i, 1.1 * k + (body ? 0.5 : -0.5) * distance);
+        if (std::hypot(i, k) < 10.5) slice.at[body].emplace_back(1.1 * i, 1.1 * k + (body ? 0.5 : -0.5) * distance, 0);
   Snapshot made = snapshot_of(slice);
   made.label = label;
   made.delta = 23 - distance;
@@ -109,21 +109,21 @@ Snapshot snapshot(const char* label, double distance) {
 }
 
 /// A run of a report, with pictures as a report of so many makes them.
-std::string pictures(int run, int runs) {
+std::string pictures(int run, RunPictures& of_all) {
   ReportedRun made;
   made.name = made.file = run_name(run);
-  made.document = {{"units", "lj"}};
   RunRecord record;
+  record.document = made.document = {{"units", "lj"}};
   record.snapshots = {snapshot("start", 25), snapshot("maximum compression", 22), snapshot("end", 26)};
   record.views = {viewed(5), viewed(8), viewed(9)};
   std::string figures;
-  for (const PageFigure& figure : run_pictures(made, record, static_cast<std::size_t>(runs))) figures += figure.html;
+  for (const PageFigure& figure : of_all.of(made, record)) figures += figure.html;
   return figures;
 }
 
-std::string section(int run, int runs) {
+std::string section(int run, RunPictures& of_all) {
   const std::string run_is = run_name(run);
-  std::string figures = pictures(run, runs);
+  std::string figures = pictures(run, of_all);
   for (const char* what : {"force", "contact-radius", "fit", "residuals", "accuracy"})
     figures += live_figure(figure(run_is + "-" + what, run_is + ": " + what, loop(run, 100)));
   return html::section_of(run_is, html::heading(2, run_is) + html::element("div", figures, "class=\"figures\""));
@@ -175,7 +175,8 @@ std::string page_of(int runs) {
                             live_view({"defects", "Defects", "Made-up atoms, lines and a plane.", "σ",
                                        {viewed(5), viewed(8)}}),
                         "class=\"figures\"");
-  for (int run = 0; run < runs; ++run) body += section(run, runs);
+  RunPictures of_all(static_cast<std::size_t>(runs));
+  for (int run = 0; run < runs; ++run) body += section(run, of_all);
   return html::page("Made-up runs", page_style, body + page_data(names), page_script);
 }
 
