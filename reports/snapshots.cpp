@@ -10,8 +10,8 @@
 namespace mdana {
 namespace {
 
-constexpr double least_row = 1;  ///< diameters: a row of a solid has no gaps
-constexpr double room = 1.6;     ///< diameters between two atoms that end a strip
+constexpr double least_row = 1.25;  ///< diameters: layers of a lattice are at most one apart, so no row is empty
+constexpr double room = 1.6;        ///< diameters between two atoms that end a strip
 constexpr double growth = 1.25;
 constexpr int most_heights = 60;  ///< a million times the first
 

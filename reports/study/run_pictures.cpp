@@ -13,15 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t page_bytes = 3'000'000;  ///< of all runs' snapshots, and about as many of their views
+constexpr std::size_t snapshot_bytes = 2'000'000, view_bytes = 800'000;  ///< of all runs of a page
 
 /// What each of so many runs may take [bytes].
-std::size_t share(std::size_t runs, std::size_t least, std::size_t most) {
-  return std::clamp(page_bytes / std::max<std::size_t>(runs, 1), least, most);
+std::size_t share(std::size_t bytes, std::size_t runs, std::size_t least, std::size_t most) {
+  return std::clamp(bytes / std::max<std::size_t>(runs, 1), least, most);
 }
 
 PageFigure snapshots_on_page(const ReportedRun& run, const RunRecord& record, std::size_t runs) {
-  const std::size_t bytes = share(runs, 6000, 300'000) * 3 / 4;  // base64
+  const std::size_t bytes = share(snapshot_bytes, runs, 6000, 300'000) * 3 / 4;  // base64
   const SnapshotFigure figure = within(snapshot_figure(run, record), bytes);
   const std::string text = caption(figure);
   return {"snapshots", text, html::element("figure", html::picture(snapshot_picture(figure), text) +
@@ -79,14 +79,16 @@ SnapshotFigure snapshot_figure(const ReportedRun& run, const RunRecord& record) 
 }
 
 std::vector<PageFigure> RunPictures::of(const ReportedRun& run, const RunRecord& record) {
-  const std::size_t bytes = share(runs_, 100'000, 500'000);
   std::vector<PageFigure> figures;
   if (!record.snapshots.empty()) figures.push_back(snapshots_on_page(run, record, runs_));
   if (record.views.empty()) return figures;
-  if (++views_ <= std::max<std::size_t>(1, page_bytes / bytes))
-    figures.push_back(view_on_page(run, record, bytes));
-  else
+  PageFigure view = view_on_page(run, record, share(view_bytes, runs_, 60'000, 500'000));
+  if (bytes_ > 0 && bytes_ + view.html.size() > view_bytes) {
     ++without_view_;
+    return figures;
+  }
+  bytes_ += view.html.size();
+  figures.push_back(std::move(view));
   return figures;
 }
 

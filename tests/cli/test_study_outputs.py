@@ -78,8 +78,7 @@ class Outputs(Study):
             self.assertTrue(any(name.startswith(kind + "-") for name in drawn), kind)
         self.assertNotIn("snapshots", left_out)  # each run has its own
         self.assertTrue((self.out / "runs" / "hertz-tiny" / "snapshots.csv").is_file())
-        conversion = running.read_csv(self.out / "figures" / "energy-conversion.csv")
-        self.assertEqual(set(conversion["point"]), {"hertz-tiny"})  # the one that bounces within its dump
+        self.assertEqual(running.read_csv(self.out / "figures" / "delta-max-size-nano.csv")["point"], ["aggregate-tiny"])
         for name in drawn:
             for ending in ("csv", "gp") + (("svg", "pdf") if shutil.which("gnuplot") else ()):
                 self.assertTrue((self.out / "figures" / f"{name}.{ending}").is_file(), f"{name}.{ending}")
