@@ -116,6 +116,7 @@ std::string pictures(int run, RunPictures& of_all) {
   record.document = made.document = {{"units", "lj"}};
   record.snapshots = {snapshot("start", 25), snapshot("maximum compression", 22), snapshot("end", 26)};
   record.views = {viewed(5), viewed(8), viewed(9)};
+  record.views[1].label = "maximum compression";
   std::string figures;
   for (const PageFigure& figure : of_all.of(made, record)) figures += figure.html;
   return figures;
