@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "reports/defect_pictures.hpp"
 #include "reports/page_script.hpp"
 
 namespace mdana {
@@ -27,20 +27,6 @@ constexpr std::array<Family, 6> families{{{"perfect", "perfect dislocations", "#
                                           {"hirth", "Hirth dislocations", "#d8b800"},
                                           {"frank", "Frank partials", "#00b0c0"},
                                           {"other", "other dislocations", "#e02020"}}};
-
-const char* colour(PlanarFault kind) {
-  switch (kind) {
-    case PlanarFault::intrinsic: return "#e8862e";
-    case PlanarFault::extrinsic: return "#8a63d2";
-    case PlanarFault::twin: return "#3c8fd9";
-    case PlanarFault::none: break;
-  }
-  return "#8c97a1";
-}
-
-std::string shown_name(PlanarFault kind) {
-  return std::string(name(kind)) + (kind == PlanarFault::twin ? " boundaries" : " faults");
-}
 
 /// Positions on a grid of 2^16 points along the longest side of their box.
 Json packed(const std::vector<Vector3d>& points) {
@@ -61,21 +47,30 @@ Json packed(const std::vector<Vector3d>& points) {
 double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 Json frame_json(const ViewedFrame& frame) {
-  Json json{{"label", frame.label}, {"atoms", Json::array()}, {"lines", Json::array()}, {"planes", Json::array()}};
+  Json json{{"label", shown_label(frame)}, {"atoms", Json::array()}, {"lines", Json::array()}, {"planes", Json::array()}};
   for (const ViewedAtoms& a : frame.atoms)
     json["atoms"].push_back({{"name", a.name}, {"colour", a.colour}, {"diameter", rounded(a.diameter)},
                              {"at", packed(a.at)}});
   for (const ViewedLine& l : frame.lines)
     json["lines"].push_back({{"name", l.name}, {"colour", l.colour}, {"burgers", l.burgers},
-                             {"length", rounded(l.length)}, {"at", packed(l.at)}});
+                             {"length", rounded(l.length)}, {"at", packed(l.at)}, {"guide", l.guide}});
   for (const ViewedPlane& p : frame.planes)
     json["planes"].push_back({{"name", p.name}, {"colour", p.colour}, {"area", rounded(p.area)},
                               {"at", packed(p.corners)}});
   return json;
 }
 
-void add_if_any(ViewedFrame& frame, ViewedAtoms atoms) {
-  if (!atoms.at.empty()) frame.atoms.push_back(std::move(atoms));
+void thin_atoms(ViewedFrame& frame, std::size_t most) {
+  std::size_t count = 0;
+  for (const ViewedAtoms& a : frame.atoms) count += a.at.size();
+  const std::size_t stride = (count + most - 1) / most;
+  if (stride <= 1) return;
+  frame.one_of *= stride;
+  for (ViewedAtoms& a : frame.atoms) {
+    std::vector<Vector3d> kept;
+    for (std::size_t i = 0; i < a.at.size(); i += stride) kept.push_back(a.at[i]);
+    a.at = std::move(kept);
+  }
 }
 
 }  // namespace
@@ -87,44 +82,50 @@ ViewedLine viewed_line(std::string_view family, std::vector<Vector3d> at) {
   return {std::string(found->shown), std::string(found->colour), {}, 0, std::move(at)};
 }
 
-ViewedFrame viewed_frame(const FrameDefects& defects, std::string label) {
-  ViewedFrame frame{std::move(label), {}, {}, {}};
-  const double diameter = 0.8 * defects.spacing;
-  ViewedAtoms hcp{"hcp atoms", "#e0574f", diameter, {}}, bulk{"bulk defects", "#c9a227", diameter, {}};
-  if (defects.atoms)
-    defects.atoms->for_blocks([&](const FrameAtoms& atoms, const AtomLabels& labels) {
-      for (std::size_t i = 0; i < atoms.size(); ++i)
-        if (labels.structure[i] == Structure::hcp)
-          hcp.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
-        else if (labels.site[i] == Site::bulk_defect)
-          bulk.at.emplace_back(atoms.x[i], atoms.y[i], atoms.z[i]);
-    });
-  add_if_any(frame, std::move(hcp));
-  add_if_any(frame, std::move(bulk));
-  const PolyData discs = fault_picture(defects.planes);
-  for (std::size_t k = 0; k < defects.planes.size(); ++k) {
-    const FaultPlane& plane = defects.planes[k];
-    ViewedPlane viewed{shown_name(plane.kind), colour(plane.kind), plane.area, {}};
-    for (const std::uint32_t corner : discs.polygons[k]) viewed.corners.push_back(discs.points[corner]);
-    frame.planes.push_back(std::move(viewed));
+std::vector<ViewedLine> viewed_sphere(const std::string& name, const Vector3d& centre, double radius, const Vector3d& pole) {
+  constexpr int points = 48;
+  const Vector3d up = pole.normalized();
+  std::vector<ViewedLine> circles;
+  for (const Vector3d& side : {up.unitOrthogonal(), up.cross(up.unitOrthogonal())}) {
+    ViewedLine line{name, "#8c97a1", {}, 0, {}, true};
+    for (int k = 0; k <= points; ++k) {
+      const double angle = 2 * std::numbers::pi * k / points;
+      line.at.push_back(centre + radius * (std::cos(angle) * up + std::sin(angle) * side));
+    }
+    circles.push_back(std::move(line));
   }
-  for (const DislocationSegment& s : defects.lines.segments) {
-    ViewedLine line = viewed_line(name(s.family), s.points);
-    line.burgers = fmt::format("[{:.3g} {:.3g} {:.3g}]", s.burgers.x(), s.burgers.y(), s.burgers.z());
-    line.length = s.length.value;
-    frame.lines.push_back(std::move(line));
+  return circles;
+}
+
+std::string shown_label(const ViewedFrame& frame) {
+  std::string text = frame.label;
+  if (frame.one_of > 1) text += fmt::format(", one atom of {}", frame.one_of);
+  if (frame.dropped > 0) text += fmt::format(", without the {} smallest lines and faults", frame.dropped);
+  return text;
+}
+
+void limit(ViewedFrame& frame, const ViewLimits& most) {
+  thin_atoms(frame, most.atoms);
+  const auto guides = std::ranges::stable_partition(frame.lines, [](const ViewedLine& l) { return !l.guide; });
+  const auto lines = static_cast<std::size_t>(guides.begin() - frame.lines.begin());
+  if (lines > most.lines) {
+    frame.dropped += lines - most.lines;
+    frame.lines.erase(frame.lines.begin() + static_cast<std::ptrdiff_t>(most.lines), guides.begin());
   }
-  return frame;
+  if (frame.planes.size() > most.planes) {
+    frame.dropped += frame.planes.size() - most.planes;
+    frame.planes.resize(most.planes);
+  }
 }
 
 Json view_json(const DefectView& view) {
-  Json json{{"title", view.title}, {"alt", view.alt}, {"unit", view.unit}, {"frames", Json::array()}};
+  Json json{{"title", view.title}, {"alt", view.alt}, {"unit", view.unit}, {"shown", view.shown}, {"frames", Json::array()}};
   for (const ViewedFrame& frame : view.frames) json["frames"].push_back(frame_json(frame));
   return json;
 }
 
 std::string live_view(const DefectView& view) {
-  const std::string svg = view.frames.empty() ? "" : still_picture(view.frames.front());
+  const std::string svg = view.shown < view.frames.size() ? still_picture(view.frames[view.shown]) : "";
   const std::string content = html::picture(svg, view.alt) +
                               html::element("figcaption", html::escape(view.alt));
   if (page_script.text.empty()) return html::element("figure", content);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -22,6 +23,9 @@ extern char** environ;
 
 namespace mdana {
 namespace {
+
+constexpr std::size_t most_named = 12;  ///< curves in a key
+constexpr double key_width = 640, key_row = 19, key_sample = 56, key_letter = 8.5;  ///< about [pixels]
 
 /// A gnuplot string: nothing in it is interpreted.
 std::string quoted(const std::string& text) {
@@ -49,16 +53,72 @@ std::string data_block(const Series& series, std::size_t index) {
   return text + "EOD\n";
 }
 
-std::string plot_clause(const Series& series, std::size_t index) {
-  const std::string_view colour = series_colours[index % series_colours.size()];
+/// Where the text stands in the list, to which it is added if it does not.
+std::size_t place_of(std::vector<std::string>& list, const std::string& text) {
+  const auto at = std::ranges::find(list, text);
+  if (at != list.end()) return static_cast<std::size_t>(at - list.begin());
+  list.push_back(text);
+  return list.size() - 1;
+}
+
+/// Where runs are compared the place of a series' run among the labels, else that of its own label.
+std::vector<std::size_t> colour_places(const Figure& figure) {
+  std::set<std::string> runs;
+  for (const Series& s : figure.series)
+    if (!s.run.empty()) runs.insert(s.run);
+  std::vector<std::string> keys;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < figure.series.size(); ++k) {
+    const Series& s = figure.series[k];
+    places.push_back(place_of(keys, runs.size() > 1 && !s.run.empty() ? s.run : fmt::format("series {}", k)));
+  }
+  return places;
+}
+
+/// Curves that the key names: those of no single run, then the first ones.
+std::vector<bool> named_curves(const Figure& figure) {
+  std::vector<bool> named(figure.series.size());
+  std::size_t count = 0;
+  for (const bool laws : {true, false})
+    for (std::size_t k = 0; k < named.size(); ++k)
+      if (figure.series[k].run.empty() == laws && count < most_named) named[k] = true, ++count;
+  return named;
+}
+
+struct Key {
+  std::string commands;
+  double height = 0;  ///< of its rows [pixels]
+};
+
+/// Above the plot; if it is long below it, on paper that is as much longer.
+Key key_of(const Figure& figure, const std::vector<bool>& named) {
+  const auto count = static_cast<std::size_t>(std::ranges::count(named, true));
+  if (named.size() <= 4) return {"set key outside top center horizontal\n"};
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < named.size(); ++k)
+    if (named[k]) longest = std::max(longest, figure.series[k].label.size());
+  const auto in_row = std::max(1.0, std::floor(key_width / (key_sample + key_letter * static_cast<double>(longest))));
+  double rows = 1 + std::ceil(static_cast<double>(count) / in_row);
+  std::string commands = "set key outside bottom center horizontal\n";
+  if (count < named.size()) {
+    commands += fmt::format("set key title {}\n", quoted(fmt::format("{} of {} curves, all in {}.csv", count, named.size(), figure.name)));
+    ++rows;
+  }
+  return {commands, key_row * rows};
+}
+
+std::string plot_clause(const Series& series, std::size_t index, std::size_t place, bool named) {
+  const std::string_view colour = series_colours[place % series_colours.size()];
   const char* style = "";
   switch (series.style) {
     case Series::Style::line: style = "lines lw 2"; break;
     case Series::Style::dashed: style = "lines lw 2 dt 2"; break;
+    case Series::Style::dotted: style = "lines lw 2 dt 3"; break;
+    case Series::Style::dash_dotted: style = "lines lw 2 dt 4"; break;
     case Series::Style::points: style = has_errors(series) ? "yerrorbars pt 7 ps 0.5" : "points pt 7 ps 0.5"; break;
   }
-  return fmt::format("$data{} using {} with {} lc rgb '{}' title {}", index, has_errors(series) ? "1:2:3" : "1:2", style,
-                     colour, quoted(series.label));
+  return fmt::format("$data{} using {} with {} lc rgb '{}' {}", index, has_errors(series) ? "1:2:3" : "1:2", style, colour,
+                     named ? "title " + quoted(series.label) : "notitle");
 }
 
 /// The environment with a UTF-8 locale, for labels beyond ASCII, and UTC, for dates of one length.
@@ -67,29 +127,6 @@ std::vector<std::string> utf8_environment() {
   for (char** v = environ; *v; ++v)
     if (std::strncmp(*v, "LC_ALL=", 7) != 0 && std::strncmp(*v, "TZ=", 3) != 0) variables.emplace_back(*v);
   return variables;
-}
-
-/// Runs gnuplot in the directory without a shell; false if it is not installed.
-bool run_gnuplot(const std::filesystem::path& directory, const std::string& script) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
-  std::string program = "gnuplot", argument = script;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
-  std::vector<std::string> variables = utf8_environment();
-  std::vector<char*> environment;
-  for (std::string& v : variables) environment.push_back(v.data());
-  environment.push_back(nullptr);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments,
-                                 environment.data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) return false;
-  if (error != 0) throw std::runtime_error(fmt::format("gnuplot: {}", std::strerror(error)));
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (status != 0) throw std::runtime_error(fmt::format("gnuplot failed on {}", script));
-  return true;
 }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -121,36 +158,40 @@ std::string range_command(const Figure& figure, char axis, std::vector<double> S
   return fmt::format("set {}range [{}:{}]\n", axis, low - margin, high + margin);
 }
 
-std::string plot_command(const Figure& figure) {
+std::string plot_command(const Figure& figure, const std::vector<bool>& named) {
+  const std::vector<std::size_t> places = colour_places(figure);
   std::string text = "plot ";
   for (std::size_t k = 0; k < figure.series.size(); ++k)
-    text += (k ? ", \\\n     " : "") + plot_clause(figure.series[k], k);
+    text += (k ? ", \\\n     " : "") + plot_clause(figure.series[k], k, places[k], named[k]);
   return text + "\n";
 }
 
 }  // namespace
 
 std::string gnuplot_script(const Figure& figure) {
+  const std::vector<bool> named = named_curves(figure);
+  const Key key = key_of(figure, named);
+  const double height = 460 + key.height;
   std::string text = fmt::format("# gnuplot {0}.gp writes {0}.svg and {0}.pdf\n", figure.name);
   text += "set encoding utf8\nset termoption noenhanced\nset grid lc rgb '#dddddd'\n";
-  text += figure.series.size() > 4 ? "set key outside right top vertical\n"
-                                   : "set key outside top center horizontal\n";
+  text += key.commands;
   text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(figure.title), quoted(figure.x_label),
                       quoted(figure.y_label));
   if (figure.log_x) text += "set logscale x\nset format x '%.0e'\n";
   if (figure.log_y) text += "set logscale y\nset format y '%.0e'\n";
   text += range_command(figure, 'x', &Series::x) + range_command(figure, 'y', &Series::y);
   for (std::size_t k = 0; k < figure.series.size(); ++k) text += data_block(figure.series[k], k);
-  text += fmt::format("set terminal svg size 720,460 dynamic noenhanced font 'Helvetica,14' background '#ffffff'\n"
-                      "set output {}\n", quoted(figure.name + ".svg")) + plot_command(figure);
-  text += fmt::format("set terminal pdfcairo size 16cm,10.2cm noenhanced font 'Helvetica,12'\nset output {}\n",
-                      quoted(figure.name + ".pdf")) + plot_command(figure);
+  text += fmt::format("set terminal svg size 720,{:.0f} dynamic noenhanced font 'Helvetica,14' background '#ffffff'\n"
+                      "set output {}\n", height, quoted(figure.name + ".svg")) + plot_command(figure, named);
+  text += fmt::format("set terminal pdfcairo size 16cm,{:.2f}cm noenhanced font 'Helvetica,12'\nset output {}\n",
+                      10.2 * height / 460, quoted(figure.name + ".pdf")) + plot_command(figure, named);
   return text;
 }
 
 Table figure_table(const Figure& figure) {
   std::vector<std::string> labels;
-  std::vector<double> series, x, y, error;
+  std::vector<double> series, x, y, error, point;
+  std::vector<std::string> points{""};
   bool any_error = false;
   for (const Series& s : figure.series) {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -158,6 +199,7 @@ Table figure_table(const Figure& figure) {
       x.push_back(s.x[i]);
       y.push_back(s.y[i]);
       error.push_back(has_errors(s) ? s.y_error[i] : std::numeric_limits<double>::quiet_NaN());
+      point.push_back(static_cast<double>(place_of(points, i < s.names.size() ? s.names[i] : "")));
     }
     any_error = any_error || has_errors(s);
     labels.push_back(s.label);
@@ -167,15 +209,37 @@ Table figure_table(const Figure& figure) {
   table.add_column({figure.x_name, dimension::none}, std::move(x));
   table.add_column({figure.y_name, dimension::none}, std::move(y));
   if (any_error) table.add_column({figure.y_name + "_error", dimension::none}, std::move(error));
+  if (points.size() > 1) table.add_column({"point", dimension::none, std::move(points)}, std::move(point));
   return table;
 }
 
+bool run_gnuplot(const std::filesystem::path& directory, const std::string& name) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+  std::string program = "gnuplot", argument = name + ".gp";
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  std::vector<std::string> variables = utf8_environment();
+  std::vector<char*> environment;
+  for (std::string& v : variables) environment.push_back(v.data());
+  environment.push_back(nullptr);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments,
+                                 environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) return false;
+  if (error != 0) throw std::runtime_error(fmt::format("gnuplot: {}", std::strerror(error)));
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (status != 0) throw std::runtime_error(fmt::format("gnuplot failed on {}.gp", name));
+  undate(directory / (name + ".pdf"));
+  return true;
+}
+
 std::string draw(const Figure& figure, const std::filesystem::path& directory) {
-  const std::string script = figure.name + ".gp";
-  write_file(directory / script, gnuplot_script(figure));
+  write_file(directory / (figure.name + ".gp"), gnuplot_script(figure));
   write_file(directory / (figure.name + ".csv"), to_csv(figure_table(figure)));
-  if (!run_gnuplot(directory, script)) return {};
-  undate(directory / (figure.name + ".pdf"));
+  if (!run_gnuplot(directory, figure.name)) return {};
   return read_text(directory / (figure.name + ".svg"));
 }
 

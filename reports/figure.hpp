@@ -13,9 +13,11 @@ namespace mdana {
 struct Series {
   std::string label;
   std::vector<double> x, y;
-  enum class Style { line, dashed, points } style = Style::line;
+  enum class Style { line, dashed, points, dotted, dash_dotted } style = Style::line;
   std::vector<double> y_error = {};  ///< of points; empty: none are drawn
   std::string run = {};              ///< that it is of; empty: of no single one
+  std::string part = {};             ///< which of several curves of the run; else empty
+  std::vector<std::string> names = {};  ///< of single points; empty: they have none
 };
 
 /// A figure for gnuplot.
@@ -31,7 +33,11 @@ struct Figure {
 /// The gnuplot script of a figure, data included, that writes NAME.svg and NAME.pdf.
 std::string gnuplot_script(const Figure& figure);
 
-/// Columns series, x and y by their names, and y_error if there are any: a row a point.
+/// Runs gnuplot on NAME.gp in the directory, without a shell; a NAME.pdf that it writes does not tell when. False if it
+/// is not installed; throws std::runtime_error if it fails.
+bool run_gnuplot(const std::filesystem::path& directory, const std::string& name);
+
+/// Columns series, x and y by their names, y_error and the names of points (`point`) if there are any: a row a point.
 Table figure_table(const Figure& figure);
 
 /// Writes NAME.gp and NAME.csv into the directory, runs gnuplot for NAME.svg and NAME.pdf and returns the

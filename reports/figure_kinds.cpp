@@ -2,6 +2,7 @@
 #include "reports/figure_kinds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -18,7 +19,7 @@ constexpr std::string_view no_spheres = "no run of two spheres was measured";
 constexpr std::string_view no_aggregates = "no run of two aggregates was measured";
 constexpr std::string_view no_constants = "gamma (scene) or E* (a Hertz run of the same radius) is not known";
 constexpr std::string_view no_velocities = "no collision ended within its dump, in a bounce or sticking";
-constexpr std::string_view no_picture = "a picture of atoms, not of numbers: mdana defects --vtp and mdana network -o draw them";
+constexpr std::string_view no_runs = "no run was measured";
 
 const FigureKind all_kinds[] = {
     {"force", "force against mutual approach", "P1 2, 3", frames, "frames", {"delta", "mutual approach δ", dimension::length},
@@ -76,7 +77,8 @@ const FigureKind all_kinds[] = {
      "E* and Y are not determined at any filling factor: runs at several velocities are needed"},
     {"coordination", "coordination number of aggregates against filling factor", "P2 11 (b)", runs, "aggregates",
      {"phi", "filling factor φ"}, "coordination number", {{"coordination", "n_c", {}, points}}, no_aggregates},
-    {"snapshots", "the particles during a collision", "P1 1, 5 (a, b); P2 3, 13", frames, "", {}, "", {}, no_picture},
+    {"snapshots", "a slice of the particles at start, maximum compression and end, of each run", "P1 1, 5 (a, b); P2 3, 13", frames, "", {}, "",
+     {}, no_runs},
 };
 
 /// Values of a column that is there; its errors under NAME_error.
@@ -104,6 +106,21 @@ void sort_by_x(Series& series) {
   for (std::size_t i = 0; i < series.x.size(); ++i) drawn.emplace_back(series.x[i], series.y[i]);
   std::ranges::sort(drawn);
   for (std::size_t i = 0; i < drawn.size(); ++i) std::tie(series.x[i], series.y[i]) = drawn[i];
+}
+
+/// Labels of the points, if the table has a column of that name.
+std::vector<std::string> names_of(const Table& table, const char* column) {
+  std::vector<std::string> names;
+  const auto at = std::ranges::find(table.columns(), column, &ColumnSpec::name);
+  if (at == table.columns().end() || at->labels.empty()) return names;
+  for (const double index : table.column(column)) names.push_back(at->labels.at(static_cast<std::size_t>(index)));
+  return names;
+}
+
+/// Several curves of a run have its colour.
+Series::Style own_style(std::size_t curve) {
+  constexpr std::array styles{line, Series::Style::dotted, Series::Style::dash_dotted};
+  return styles[curve % styles.size()];
 }
 
 bool has_numbers(const std::vector<double>& values) {
@@ -135,6 +152,7 @@ std::vector<Series> series_of(const FigureKind& kind, const Table& table, const 
   const std::vector<double> x = values_of(table, std::string(kind.x.column));
   const double least = kind.x.column == "time" ? -std::numeric_limits<double>::infinity() : least_drawn(table, x);
   const auto of_runs = std::ranges::count_if(kind.y, [](const DrawnColumn& y) { return y.style != dashed; });
+  const std::vector<std::string> names = names_of(table, "run");
   std::vector<Series> all;
   for (const DrawnColumn& y : kind.y) {
     const std::vector<double> values = values_of(table, std::string(y.column));
@@ -142,11 +160,16 @@ std::vector<Series> series_of(const FigureKind& kind, const Table& table, const 
     if (!has_numbers(values)) continue;
     Series series{y.style == dashed ? std::string(y.label) : of_runs > 1 ? fmt::format("{}, {}", label, y.label) : label,
                   {}, {}, y.style, {}};
+    if (y.style == line && of_runs > 1) {
+      series.part = y.label;
+      series.style = own_style(static_cast<std::size_t>(&y - kind.y.data()));
+    }
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (!std::isfinite(x[i]) || !std::isfinite(values[i]) || x[i] < least) continue;
       series.x.push_back(x[i]);
       series.y.push_back(values[i]);
       if (!errors.empty()) series.y_error.push_back(errors[i]);
+      if (y.style == points && !names.empty()) series.names.push_back(names[i]);
     }
     if (y.style != points) series.y_error.clear();
     if (y.style == dashed) sort_by_x(series);

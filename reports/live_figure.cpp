@@ -30,17 +30,20 @@ const char* style_name(Series::Style style) {
     case Series::Style::line: return "line";
     case Series::Style::dashed: return "dashed";
     case Series::Style::points: return "points";
+    case Series::Style::dotted: return "dotted";
+    case Series::Style::dash_dotted: return "dash-dotted";
   }
   return "";
 }
 
 Json series_json(const Series& series) {
-  Json json{{"label", series.label}};
+  Json json{{"label", series.part.empty() ? series.label : series.part}};
   if (!series.run.empty()) json["run"] = series.run;
   json["style"] = style_name(series.style);
   json["x"] = numbers(series.x);
   json["y"] = numbers(series.y);
   if (!series.y_error.empty()) json["y_error"] = numbers(series.y_error);
+  if (!series.names.empty()) json["names"] = series.names;
   return json;
 }
 

@@ -11,7 +11,7 @@
 namespace mdana {
 
 /// What the script of the page draws: {title, alt, x: {label, log}, y: {label, log}, series: [{label, run,
-/// style: line | dashed | points, x, y, y_error}]}; six digits, null where there is no number.
+/// style: line | dashed | points | dotted | dash-dotted, x, y, y_error, names}]}; six digits, null where there is no number.
 nlohmann::ordered_json figure_json(const Figure& figure);
 
 /// The figure for a page: its picture, caption and, where the page has a script, its data as the block

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <Eigen/Core>
 #include <fmt/format.h>
@@ -33,6 +34,15 @@ bool compares_runs(const Figure& figure) {
 /// What a series is told apart by: its run if the figure compares runs, else its label.
 const std::string& key(const Series& series, bool runs) {
   return runs && !series.run.empty() ? series.run : series.label;
+}
+
+const char* dashes(Series::Style style) {
+  switch (style) {
+    case Series::Style::dashed: return " stroke-dasharray='7,5'";
+    case Series::Style::dotted: return " stroke-dasharray='2,4'";
+    case Series::Style::dash_dotted: return " stroke-dasharray='10,4,2,4'";
+    default: return "";
+  }
 }
 
 class Picture {
@@ -91,13 +101,28 @@ class Picture {
               fmt::format("<text x='{:.0f}' y='{:.0f}'>{}</text>\n", x + 34, y + 5, escape(entries_[k]));
       x += length;
     }
+    for (const auto& [part, style] : parts()) {
+      const double length = 34 + letter * static_cast<double>(part.size()) + 14;
+      if (x > left && x + length > right) x = left, y += row;
+      text += fmt::format("<path fill='none' stroke='#000' stroke-width='2'{} d='M{:.0f},{:.0f}h26'/><text x='{:.0f}' y='{:.0f}'>{}</text>\n",
+                          dashes(style), x, y, x + 34, y + 5, escape(part));
+      x += length;
+    }
     top_ = y + row;
     return text;
   }
 
+  /// Which of the curves of a run a style is of, where runs are compared.
+  std::vector<std::pair<std::string, Series::Style>> parts() const {
+    std::vector<std::pair<std::string, Series::Style>> all;
+    for (const Series& s : figure_.series)
+      if (runs_ && !s.part.empty() && std::ranges::find(all, s.part, &std::pair<std::string, Series::Style>::first) == all.end())
+        all.emplace_back(s.part, s.style);
+    return all;
+  }
+
   std::string stroke(const Series& series) const {
-    return fmt::format("fill='none' stroke='{}' stroke-width='2'{}", colour(series),
-                       series.style == Series::Style::dashed ? " stroke-dasharray='7,5'" : "");
+    return fmt::format("fill='none' stroke='{}' stroke-width='2'{}", colour(series), dashes(series.style));
   }
 
   std::string sample(const Series& series, double x, double y) const {

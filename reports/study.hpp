@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analyses/sweep.hpp"
@@ -20,6 +22,8 @@ struct StudySettings {
   bool sizes = true;              ///< E* against R of the Hertz runs
   bool aggregates = true;         ///< E* and Y of the aggregates together
   std::vector<std::string> figures;  ///< kinds of pooled figures; empty: all that there are data for
+
+  bool draws(std::string_view kind) const { return figures.empty() || std::ranges::find(figures, kind) != figures.end(); }
 };
 
 /// A run as study.toml has it. Paths count from the directory of the study.

@@ -10,6 +10,7 @@
 #include "readers/input_error.hpp"
 #include "reports/compression_study.hpp"
 #include "reports/network.hpp"
+#include "reports/study/chosen_frames.hpp"
 
 namespace mdana {
 namespace {
@@ -120,6 +121,7 @@ RunRecord aggregate_record(const RunTask& task, const Run& run, const SweepOptio
   record.figures.push_back(over_time(task.name, run.units, table, "delta", "mutual approach δ", dimension::length));
   if (table.has("v_rel"))
     record.figures.push_back(over_time(task.name, run.units, table, "v_rel", "relative velocity", dimension::velocity));
+  add_chosen_frames(record, task, run, table, measured.radii, nullptr, sweeping);
   return record;
 }
 

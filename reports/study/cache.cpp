@@ -12,6 +12,7 @@
 #include "readers/input_error.hpp"
 #include "readers/input_record.hpp"
 #include "reports/atomic_file.hpp"
+#include "reports/study/cached_pictures.hpp"
 
 namespace mdana {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view title = "mdana-run 1 ";
+constexpr std::string_view title = "mdana-run 2 ";
 
 /// JSON has no infinities; null is NaN.
 Json exact(double value) {
@@ -109,11 +110,13 @@ PublishedValue number_of(const Json& json) {
 
 Json record_json(const RunRecord& record) {
   Json json{{"document", record.document}, {"numbers", Json::array()}, {"parts", Json::array()},
-            {"tables", Json::array()}, {"figures", Json::array()}};
+            {"tables", Json::array()}, {"figures", Json::array()}, {"snapshots", Json::array()}, {"views", Json::array()}};
   for (const PublishedValue& n : record.numbers) json["numbers"].push_back(number_json(n));
   for (const PublishedValue& n : record.parts) json["parts"].push_back(number_json(n));
   for (const NamedTable& t : record.tables) json["tables"].push_back(table_json(t));
   for (const Figure& f : record.figures) json["figures"].push_back(figure_json(f));
+  for (const Snapshot& s : record.snapshots) json["snapshots"].push_back(cached(s));
+  for (const ViewedFrame& v : record.views) json["views"].push_back(cached(v));
   return json;
 }
 
@@ -124,6 +127,8 @@ RunRecord record_of(const Json& json) {
   for (const Json& n : json.at("parts")) record.parts.push_back(number_of(n));
   for (const Json& t : json.at("tables")) record.tables.push_back(table_of(t));
   for (const Json& f : json.at("figures")) record.figures.push_back(figure_of(f));
+  for (const Json& s : json.at("snapshots")) record.snapshots.push_back(cached_snapshot(s));
+  for (const Json& v : json.at("views")) record.views.push_back(cached_view(v));
   return record;
 }
 

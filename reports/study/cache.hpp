@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/document.hpp"
+#include "reports/defect_view.hpp"
 #include "reports/figure.hpp"
+#include "reports/snapshots.hpp"
 
 namespace mdana {
 
@@ -25,6 +27,8 @@ struct RunRecord {
   std::vector<NamedTable> tables;
   std::vector<Figure> figures;          ///< of this run alone
   std::vector<PublishedValue> parts;    ///< of an aggregate: what fits of several need besides its tables
+  std::vector<Snapshot> snapshots;      ///< start, maximum compression, end
+  std::vector<ViewedFrame> views;       ///< start of lattice defects, maximum compression, end; none without defects
 
   /// Null if there is none.
   const Table* table(std::string_view name) const;

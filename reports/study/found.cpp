@@ -180,7 +180,7 @@ std::string study_toml(const StudyPlan& plan) {
       "# {}\n"
       "laws = {}\n\n"
       "[figures]\n"
-      "# kinds that pool runs; an empty list is all that there are data for (mdana plot --list)\n"
+      "# kinds that pool runs, and snapshots of each; an empty list is all that there are data for (mdana plot --list)\n"
       "kinds = {}\n\n"
       "# name: must differ. group: runs that differ by velocity or orientation alone. frames (optional): A:B[:K],\n"
       "# as --frames. log (optional): of LAMMPS, for potential energies.\n",

@@ -37,7 +37,7 @@ Json key_of(const RunTask& task) {
           {"name", task.name},
           {"files", files_json(task.files)},
           {"settings", {{"frames", task.frames}, {"accuracy", task.accuracy}, {"stability", task.stability},
-                        {"defects", task.defects}}},
+                        {"defects", task.defects}, {"snapshots", task.snapshots}}},
           {"E* and R", companion_json(task.companion)}};
 }
 

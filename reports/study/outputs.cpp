@@ -17,6 +17,7 @@
 #include "reports/study/page.hpp"
 #include "reports/study/pooled_figures.hpp"
 #include "reports/study/provenance.hpp"
+#include "reports/study/run_pictures.hpp"
 #include "reports/version.hpp"
 
 namespace mdana {
@@ -36,12 +37,13 @@ bool drawable(Figure& figure) {
 }
 
 /// Tables and figures of one run.
-void write_run(const RunRecord& record, const fs::path& directory) {
+void write_run(const ReportedRun& run, const RunRecord& record, const fs::path& directory) {
   fs::create_directories(directory);
   for (const NamedTable& named : record.tables)
     if (named.table.rows() > 0) write_file(directory / (named.name + ".csv"), to_csv(named.table));
   for (Figure figure : record.figures)
     if (drawable(figure)) draw(figure, directory);
+  if (!record.snapshots.empty()) draw(snapshot_figure(run, record), directory);
 }
 
 PageFigure on_page(const Figure& figure) { return {figure.name, figure.alt, live_figure(figure)}; }
@@ -141,7 +143,7 @@ class Report {
   void write_runs() {
     std::vector<Work> works;
     for (const ReportedRun& run : reported_)
-      if (run.measured()) works.push_back([&] { write_run(cache_.load(run.file), place_of(run)); });
+      if (run.measured()) works.push_back([&] { write_run(run, cache_.load(run.file), place_of(run)); });
     do_all(works);
   }
 
@@ -153,6 +155,7 @@ class Report {
   }
 
   void read_runs(StudyHdf5& hdf5) {
+    RunPictures pictures(static_cast<std::size_t>(std::ranges::count_if(reported_, &ReportedRun::measured)));
     for (ReportedRun& run : reported_) {
       sections_.push_back({&run, {}});
       if (!run.measured()) continue;
@@ -162,9 +165,14 @@ class Report {
       figures_.add(run, record);
       hdf5.add_run(run, record);
       if (run.aggregate()) aggregates_.push_back(compressed_of(run.name, record));
+      sections_.back().figures = pictures.of(run, record);
+      sections_.back().structure = structure_text(run);
       for (Figure& figure : record.figures)
         if (drawable(figure)) sections_.back().figures.push_back(on_page(std::move(figure), run));
     }
+    if (pictures.without_view() > 0)
+      left_out_.push_back({fmt::format("3-D views of {} runs with lattice defects", pictures.without_view()),
+                           "the page would grow too large; mdana defects --vtp writes them"});
   }
 
   void draw_pooled() {
@@ -192,7 +200,7 @@ class Report {
   }
 
   void list_left_out() {
-    left_out_ = figures_.left_out();
+    for (const LeftOut& l : figures_.left_out()) left_out_.push_back(l);
     if (!StudyHdf5::available()) left_out_.push_back({"results.h5", "this build has no HDF5"});
     const bool undrawn = std::ranges::any_of(
         pooled_, [&](const PageFigure& f) { return !fs::exists(directory_ / "figures" / (f.name + ".svg")); });

@@ -108,7 +108,7 @@ std::string run_section(const PageContent::Section& section) {
                                        run.document.value("frames", 0), run.text("units"), run.text("radius_source")));
   if (!run.aggregate()) body += paragraph(sentence(run));
   for (const Json& w : run.document["warnings"]) body += warning("Warning: " + w.get<std::string>());
-  body += fit_sentence(run) + overlay_sentence(run) + drawn(section.figures, false);
+  body += fit_sentence(run) + overlay_sentence(run) + drawn(section.figures, false) + section.structure;
   if (run.aggregate()) body += numbers_table(run);
   return text + body + element("p", element("code", escape(inputs_text(run.document["inputs"]))), "class=\"quiet\"");
 }

@@ -20,6 +20,7 @@ struct PageContent {
   struct Section {
     const ReportedRun* run;
     std::vector<PageFigure> figures;
+    std::string structure = {};  ///< HTML; see run_pictures.hpp
   };
   std::vector<Section> sections;
   std::vector<PageFigure> pooled;

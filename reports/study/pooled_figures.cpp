@@ -66,6 +66,7 @@ bool PooledFigures::wants(const FigureKind& kind) const {
 }
 
 void PooledFigures::add(const ReportedRun& run, const RunRecord& record) {
+  snapshots_ = snapshots_ || !record.snapshots.empty();
   for (const FigureKind& kind : figure_kinds()) {
     if (kind.scope != FigureScope::frames || !wants(kind)) continue;
     const Table* table = record.table(kind.table);
@@ -126,7 +127,7 @@ std::vector<Figure> PooledFigures::finish(Runs runs, const StudyFits& fits) {
     }
     std::vector<Figure>& figures = finished_[std::string(kind.name)];
     for (Figure& figure : figures) all.push_back(with_own_name(std::move(figure), all));
-    if (figures.empty())
+    if (figures.empty() && !(snapshots_ && kind.name == "snapshots"))
       left_out_.push_back({fmt::format("figure {} ({})", kind.name, kind.papers), std::string(kind.without)});
   }
   return all;

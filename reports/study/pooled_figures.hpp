@@ -35,6 +35,7 @@ class PooledFigures {
   void finish_points(const FigureKind& kind, std::span<const ReportedRun* const> runs, const StudyFits& fits);
 
   std::vector<std::string> wanted_;
+  bool snapshots_ = false;  ///< some run has them, each its own
   using Group = std::pair<std::string, Units>;
   std::map<std::string, std::map<Group, Curves>> curves_;  ///< by kind
   std::map<std::string, std::vector<Figure>> finished_;    ///< by kind

@@ -30,7 +30,7 @@ void open(StudyRun& run, const StudySettings& settings, FileHashes& hashes) try 
   run.scene = load_scene(plan.scene);
   if (run.scene.dump.empty()) throw InputError(fmt::format("{}: the scene names no dump", plan.scene.string()));
   run.task = {plan.name, plan.scene, plan.scene.parent_path() / run.scene.dump, plan.log, plan.frames,
-              settings.accuracy, settings.stability, settings.defects, {}, {}};
+              settings.accuracy, settings.stability, settings.defects, settings.draws("snapshots"), {}, {}};
   run.task.files.push_back(hashes.record(run.task.scene));
   add_files(run.task.dump, hashes, run.task.files);
   if (!run.task.log.empty()) run.task.files.push_back(hashes.record(run.task.log));

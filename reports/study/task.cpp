@@ -6,6 +6,7 @@
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
 #include "reports/study/aggregate_record.hpp"
+#include "reports/study/chosen_frames.hpp"
 #include "reports/study/run_figures.hpp"
 
 namespace mdana {
@@ -186,6 +187,8 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
   record.document = document.content();
   record.numbers = document.numbers();
   record.figures = run_figures(entry);
+  add_chosen_frames(record, task, run, record.tables[0].table, entry.result.radii,
+                    entry.result.defects ? &*entry.result.defects : nullptr, sweeping);
   return record;
 }
 

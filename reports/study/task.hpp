@@ -22,7 +22,7 @@ struct RunTask {
   std::string name;
   std::filesystem::path scene, dump, log;  ///< relative to the study; log may be empty
   std::string frames;
-  bool accuracy = true, stability = true, defects = true;
+  bool accuracy = true, stability = true, defects = true, snapshots = true;
   std::optional<Companion> companion;
   std::vector<InputRecord> files;          ///< of scene, dump and log
 };

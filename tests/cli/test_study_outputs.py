@@ -72,11 +72,13 @@ class Outputs(Study):
         drawn = {figure["name"] for figure in results["figures"]}
         left_out = {entry["what"].split()[1] for entry in results["left_out"] if entry["what"].startswith("figure ")}
         for kind in kinds:
-            there = any(name == kind or name.startswith(kind + "-") for name in drawn)
+            there = any(name == kind or name.startswith(kind + "-") for name in drawn | {"snapshots"})
             self.assertTrue(there or kind in left_out, f"{kind} is neither drawn nor left out")
         for kind in ("force", "contact-radius", "non-fcc", "hertz-fit", "compression", "modulus-yield", "grain-force"):
             self.assertTrue(any(name.startswith(kind + "-") for name in drawn), kind)
-        self.assertIn("snapshots", left_out)
+        self.assertNotIn("snapshots", left_out)  # each run has its own
+        self.assertTrue((self.out / "runs" / "hertz-tiny" / "snapshots.csv").is_file())
+        self.assertEqual(running.read_csv(self.out / "figures" / "delta-max-size-nano.csv")["point"], ["aggregate-tiny"])
         for name in drawn:
             for ending in ("csv", "gp") + (("svg", "pdf") if shutil.which("gnuplot") else ()):
                 self.assertTrue((self.out / "figures" / f"{name}.{ending}").is_file(), f"{name}.{ending}")
@@ -297,6 +299,22 @@ class Plot(Case):
             self.assertEqual(figure.read_bytes(), first)
         shown = running.read_csv(self.dir / "figure.csv")
         self.assertEqual(set(shown), {"series", "delta", "F"})
+
+    def test_many_curves(self):
+        """gnuplot has nothing to complain about, and the key names some of them."""
+        tables = [self.dir / f"a-run-with-rather-a-long-name-{k:03}.csv" for k in range(200)]
+        for k, table in enumerate(tables):
+            table.write_text(f"delta,F\n0,0\n1,{k + 1}\n2,{k + 3}\n", encoding="utf-8")
+        for count in (5, 12, 60, 200):
+            with self.subTest(count):
+                done = self.mdana("plot", "force", *tables[:count], "-o", self.dir / "many.svg")
+                self.assertEqual(done.stderr, "")
+                script = (self.dir / "many.gp").read_text(encoding="utf-8")
+                named = min(count, 12)
+                self.assertEqual(script.count(" title 'a-run"), 2 * named)  # SVG and PDF
+                self.assertEqual(f"12 of {count} curves, all in many.csv" in script, count > named)
+                picture = (self.dir / "many.svg").read_text(encoding="utf-8")
+                self.assertEqual(len(set(re.findall("a-run-with-rather-a-long-name-[0-9]+", picture))), named)
 
     def test_refusals(self):
         table = self.dir / "t.csv"

@@ -45,6 +45,8 @@ export async function onPage(browser, file, test, settings = {}) {
 export async function liveFigure(page, name) {
   const figure = page.locator(`figure[data-figure="${name}"], figure[data-scene="${name}"]`);
   await figure.scrollIntoViewIfNeeded();
+  await settled(page);
+  await figure.scrollIntoViewIfNeeded();  // figures above may have grown as they came alive
   await figure.locator('.chart').waitFor();
   await settled(page);
   return figure;

@@ -155,6 +155,23 @@ test('a curve is hidden by its legend, values come with errors', () => onPage(br
   assert.deepEqual(await speeds.locator('.legend button').allTextContents(), ['law', 'run-000', 'run-001', 'run-002']);
 }));
 
+test('points tell their runs, and parts of a run have styles of their own', () => onPage(browser, made, async (page) => {
+  const sizes = await liveFigure(page, 'sizes');
+  await pressed(sizes, 'Escape', 'ArrowRight', 'ArrowRight');
+  assert.deepEqual(await values(sizes), { curve: 'group 0 · run-002', x: 2, y: 4 });
+  assert.equal(await page.locator('tr[data-run="run-002"].pointed').count(), 1);
+  await sizes.getByRole('button', { name: 'Numbers' }).click();
+  assert.deepEqual(await sizes.locator('.numbers tbody td:first-child').allTextContents(),
+                   ['group 0 · run-000', 'group 0 · run-002', 'group 1 · run-001']);
+
+  const energies = await liveFigure(page, 'energies');
+  assert.deepEqual(await energies.locator('.legend button').allTextContents(), ['K_p', 'K_t', 'W', 'run-000', 'run-001', 'run-002']);
+  const swatches = await energies.locator('.legend .swatch').evaluateAll((all) => all.slice(0, 3).map((s) => s.className));
+  assert.deepEqual(swatches, ['swatch line', 'swatch dotted', 'swatch dash-dotted']);
+  await pressed(energies, 'Escape', 'ArrowRight', 'ArrowDown');
+  assert.equal((await values(energies)).curve, 'run-002 · W');
+}));
+
 test('tables are sorted by keys', () => onPage(browser, made, async (page) => {
   const column = page.getByRole('columnheader', { name: 'F_max' }).first();
   const names = () => page.locator('table').first().locator('tbody td:first-child').allTextContents();
@@ -182,6 +199,8 @@ test('the 3-D view turns, changes frames and hides layers', () => onPage(browser
   await changed(() => figure.getByRole('button', { name: 'Shockley partials' }).click());
   await changed(() => figure.getByRole('button', { name: 'hcp atoms' }).click());
   await changed(() => figure.getByLabel('Frame').selectOption('1'));
+  const shown = await liveFigure(page, 'runs/run-000/defects');  // begins with maximum compression
+  assert.equal(await shown.locator('select').inputValue(), '1');
 }));
 
 test('without WebGL the still picture stays', async () => {
@@ -190,7 +209,7 @@ test('without WebGL the still picture stays', async () => {
   const page = await plain.newPage();
   page.on('pageerror', (error) => errors.push(String(error)));
   await page.goto(`file://${made}`);
-  const figure = page.locator('figure[data-scene]');
+  const figure = page.locator('figure[data-scene="defects"]');
   await figure.scrollIntoViewIfNeeded();
   await settled(page);
   assert.ok(await figure.locator('img').isVisible());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sample_page RUNS OUT.html: a page of made-up runs with all that the page's script can show: a figure that
-// compares the runs, error bars, log axes, and a 3-D view with every family of dislocations.
+// compares the runs, error bars, log axes, named points, several curves a run, snapshots, and 3-D views with every family
+// of dislocations.
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -13,6 +14,7 @@
 #include "reports/defect_view.hpp"
 #include "reports/live_figure.hpp"
 #include "reports/page_script.hpp"
+#include "reports/study/run_pictures.hpp"
 
 namespace mdana {
 namespace {
@@ -93,12 +95,70 @@ ViewedFrame viewed(double radius) {
   return frame;
 }
 
-std::string section(int run) {
-  const std::string run_is = run_name(run);
+/// Two square lattices of atoms within a circle each, `distance` apart.
+Snapshot snapshot(const char* label, double distance) {
+  Slice slice{1.1, {}};
+  for (int i = -10; i <= 10; ++i)
+    for (int k = -10; k <= 10; ++k)
+      for (const std::size_t body : {0, 1})
+        if (std::hypot(i, k) < 10.5) slice.at[body].emplace_back(1.1 * i, 1.1 * k + (body ? 0.5 : -0.5) * distance, 0);
+  Snapshot made = snapshot_of(slice);
+  made.label = label;
+  made.delta = 23 - distance;
+  return made;
+}
+
+/// A run of a report, with pictures as a report of so many makes them.
+std::string pictures(int run, RunPictures& of_all) {
+  ReportedRun made;
+  made.name = made.file = run_name(run);
+  RunRecord record;
+  record.document = made.document = {{"units", "lj"}};
+  record.snapshots = {snapshot("start", 25), snapshot("maximum compression", 22), snapshot("end", 26)};
+  record.views = {viewed(5), viewed(8), viewed(9)};
+  record.views[1].label = "maximum compression";
   std::string figures;
+  for (const PageFigure& figure : of_all.of(made, record)) figures += figure.html;
+  return figures;
+}
+
+std::string section(int run, RunPictures& of_all) {
+  const std::string run_is = run_name(run);
+  std::string figures = pictures(run, of_all);
   for (const char* what : {"force", "contact-radius", "fit", "residuals", "accuracy"})
     figures += live_figure(figure(run_is + "-" + what, run_is + ": " + what, loop(run, 100)));
   return html::section_of(run_is, html::heading(2, run_is) + html::element("div", figures, "class=\"figures\""));
+}
+
+/// Points of two groups that know their runs.
+Figure sizes(int runs) {
+  Figure made = figure("sizes", "Numbers of runs", {});
+  for (int group = 0; group < 2; ++group) {
+    Series points{fmt::format("group {}", group), {}, {}, Series::Style::points};
+    for (int run = group; run < runs; run += 2) {
+      points.x.push_back(run);
+      points.y.push_back(2.0 * run);
+      points.names.push_back(run_name(run));
+    }
+    made.series.push_back(std::move(points));
+  }
+  return made;
+}
+
+/// Three curves a run.
+Figure energies(int runs) {
+  Figure made = figure("energies", "Energies of all runs", {});
+  const std::pair<const char*, Series::Style> parts[] = {
+      {"K_p", Series::Style::line}, {"K_t", Series::Style::dotted}, {"W", Series::Style::dash_dotted}};
+  for (int run = 0; run < std::min(runs, 20); ++run)
+    for (const auto& [part, style] : parts) {
+      const double level = static_cast<double>(style);
+      Series curve{run_name(run) + ", " + part, {0, 1, 2}, {level, level + 0.1 * run, level}, style};
+      curve.run = run_name(run);
+      curve.part = part;
+      made.series.push_back(std::move(curve));
+    }
+  return made;
 }
 
 std::string page_of(int runs) {
@@ -111,11 +171,13 @@ std::string page_of(int runs) {
   std::string body = html::heading(1, fmt::format("Made-up page of {} runs", runs)) +
                      html::table({"run", "F_max"}, rows) + html::heading(2, "Runs together");
   body += html::element("div",
-                        live_figure(loops(runs)) + live_figure(restitution(runs)) +
+                        live_figure(loops(runs)) + live_figure(restitution(runs)) + live_figure(sizes(runs)) +
+                            live_figure(energies(runs)) +
                             live_view({"defects", "Defects", "Made-up atoms, lines and a plane.", "σ",
                                        {viewed(5), viewed(8)}}),
                         "class=\"figures\"");
-  for (int run = 0; run < runs; ++run) body += section(run);
+  RunPictures of_all(static_cast<std::size_t>(runs));
+  for (int run = 0; run < runs; ++run) body += section(run, of_all);
   return html::page("Made-up runs", page_style, body + page_data(names), page_script);
 }
 

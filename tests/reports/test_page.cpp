@@ -153,10 +153,31 @@ TEST(DefectView, ShowsHcpAtomsDefectsAndFaults) {
   EXPECT_NEAR(std::abs(area), 4, 1e-12);
 }
 
+TEST(DefectView, LimitsKeepGuidesAndTellWhatIsLeftOut) {
+  ViewedFrame frame{"end", {{"hcp atoms", "#e0574f", 1, std::vector<Eigen::Vector3d>(10, {1, 2, 3})}}, {}, {}};
+  for (const char* family : {"perfect", "shockley", "frank"}) frame.lines.push_back(viewed_line(family, {{0, 0, 0}, {1, 0, 0}}));
+  for (ViewedLine& circle : viewed_sphere("sphere", {1, 2, 3}, 5, {1, 1, 0})) {
+    for (const Eigen::Vector3d& p : circle.at) EXPECT_NEAR((p - Eigen::Vector3d(1, 2, 3)).norm(), 5, 1e-12);
+    frame.lines.push_back(std::move(circle));
+  }
+  frame.planes.resize(4);
+  ViewedFrame whole = frame;
+  limit(whole, {10, 3, 4});
+  EXPECT_EQ(shown_label(whole), "end");
+  EXPECT_EQ(whole.lines.size(), 5u);
+  limit(frame, {4, 2, 1});
+  EXPECT_EQ(shown_label(frame), "end, one atom of 3, without the 4 smallest lines and faults");
+  EXPECT_EQ(frame.atoms[0].at.size(), 4u);
+  EXPECT_EQ(frame.planes.size(), 1u);
+  ASSERT_EQ(frame.lines.size(), 4u);
+  EXPECT_EQ(frame.lines[1].name, "Shockley partials");
+  EXPECT_TRUE(frame.lines[2].guide && frame.lines[3].guide);
+}
+
 TEST(DefectView, StillPictureTakesNothingAndOnePoint) {
   EXPECT_EQ(still_picture({}).find("circle"), std::string::npos);
   const std::string one = still_picture({"", {{"hcp atoms", "#e0574f", 1, {{3, 4, 5}}}}, {}, {}});
-  EXPECT_NE(one.find("cx='360.0' cy='230.0'"), std::string::npos) << one;
+  EXPECT_NE(one.find("x='360' y='230'"), std::string::npos) << one;
 }
 
 }  // namespace

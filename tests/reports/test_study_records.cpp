@@ -56,6 +56,9 @@ RunRecord a_record() {
   record.tables = {{"frames", table}, {"none", Table({{"x", dimension::time}})}};
   record.figures = {{"force", "t", "x", "y", "alt", {{"s", hard, hard, Series::Style::dashed, {}}}, true, false, "delta", "F"}};
   record.parts = {{"mass1", {-0.0, {}, dimension::mass}}};
+  record.snapshots = {{"start", 7, std::nan(""), -0.5, 1.1, 9, {{{{1, 2, 0}, {-3, 4.5, 0.5}}, {{0.125, 0, 0}}}}, 2.2, {{{{-1, 2, 3}}, {}}}}};
+  record.views = {{"end", {{"hcp atoms", "#e0574f", 0.8, {{1, 2, 3}}}}, {{"Frank partials", "#00b0c0", "b", 2, {{0, 0, 1}, {0, 1, 1}}, true}},
+                   {{"twin boundaries", "#3c8fd9", 4, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, 3, 4}};
   return record;
 }
 
@@ -78,6 +81,11 @@ TEST_F(StudyRecords, RecordsKeepEveryBit) {
   EXPECT_EQ(bits(read.figures[0].series[0].x), bits(hard));
   EXPECT_EQ(read.figures[0].series[0].style, Series::Style::dashed);
   EXPECT_TRUE(read.figures[0].log_x);
+  EXPECT_TRUE(std::isnan(read.snapshots[0].time));
+  EXPECT_EQ(read.snapshots[0].at, record.snapshots[0].at);
+  EXPECT_EQ(std::tie(read.snapshots[0].step, read.snapshots[0].delta, read.snapshots[0].row, read.snapshots[0].strips),
+            std::tie(record.snapshots[0].step, record.snapshots[0].delta, record.snapshots[0].row, record.snapshots[0].strips));
+  EXPECT_EQ(view_json({"", "", "", "", read.views}), view_json({"", "", "", "", record.views}));
 }
 
 // Every byte counts: a record that is changed anywhere, or cut anywhere, is no record.

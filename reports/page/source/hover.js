@@ -2,7 +2,7 @@
 // The values under the pointer, or of the point that the arrow keys have walked to.
 import { digits, element } from './blocks.js';
 import { isDrawn, seriesColour, usable } from './option.js';
-import { pointAt } from './runs.js';
+import { isRun, pointAt } from './runs.js';
 import { pixelsOf, plotEdges } from './window.js';
 
 const reach = 40;  // pixels from the pointer to the nearest point
@@ -49,10 +49,19 @@ export function curveName({ run, label }) {
   return run && !label.startsWith(run) ? `${run} \u00b7 ${label}` : label;
 }
 
+/** A curve, and the point of it if it has a name. */
+export function pointName(series, i) {
+  return series.names?.[i] ? `${curveName(series)} \u00b7 ${series.names[i]}` : curveName(series);
+}
+
+/** The run that a point is of; null if it is not known. */
+function runOf({ run, names }, i) {
+  return run ?? (isRun(names?.[i]) ? names[i] : null);
+}
+
 export function valueLines(data, { s, i }) {
   const series = data.series[s];
-  const head = curveName(series);
-  return [series.names?.[i] ? `${head} \u00b7 ${series.names[i]}` : head,
+  return [pointName(series, i),
           `${data.x.label}: ${withError(series.x[i], series.x_error?.[i])}`,
           `${data.y.label}: ${withError(series.y[i], series.y_error?.[i])}`];
 }
@@ -66,7 +75,7 @@ export function valueBox(view) {
   const show = (point) => {
     shown = point;
     box.hidden = ring.hidden = !point;
-    pointAt(point ? view.data.series[point.s].run ?? null : null);
+    pointAt(point ? runOf(view.data.series[point.s], point.i) : null);
     if (!point) return;
     box.replaceChildren(...valueLines(view.data, point).map((t) => element('div', {}, t)));
     ring.style.borderColor = seriesColour(view.data, point.s);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The points of a figure as a table, for those who do not see it and for copying.
 import { digits, element } from './blocks.js';
-import { curveName } from './hover.js';
+import { pointName } from './hover.js';
 import { makeSortable } from './table.js';
 
 const most = 2000;  // rows
 
 function rows(data) {
   return data.series.flatMap((series) => series.x.map((x, i) =>
-    [curveName(series), digits(x),
+    [pointName(series, i), digits(x),
      digits(series.y[i]) + (series.y_error?.[i] > 0 ? ` \u00b1 ${digits(series.y_error[i])}` : '')]));
 }
 

@@ -81,7 +81,7 @@ function drawn(series, look, state) {
   if (series.style === 'points')
     return { ...common, type: 'scatter', clip: state.window !== null, symbolSize: look.strong ? 9 : 6,
              itemStyle: { color: look.colour, opacity: look.opacity } };
-  const type = series.style === 'dashed' ? 'dashed' : 'solid';
+  const type = { dashed: 'dashed', dotted: 'dotted', 'dash-dotted': [9, 4, 2, 4] }[series.style] ?? 'solid';
   return { ...common, type: 'line', clip: true, showSymbol: false, connectNulls: false,
            lineStyle: { color: look.colour, width: look.strong ? 3.5 : 2, type, opacity: look.opacity } };
 }

@@ -45,6 +45,7 @@ function legend(view) {
 function frameChoice(view) {
   const choice = element('select', { 'aria-label': 'Frame' },
     ...view.data.frames.map((frame, k) => element('option', { value: k }, frame.label)));
+  choice.value = view.frame;
   choice.addEventListener('change', () => {
     view.frame = Number(choice.value);
     fill(view);
@@ -103,7 +104,7 @@ export function sceneView(figure) {
   const stage = new Stage(place, brush);
   const box = element('div', { className: 'values', hidden: true });
   place.append(box);
-  const view = { data, place, stage, box, frame: 0, hidden: new Set() };
+  const view = { data, place, stage, box, frame: data.shown ?? 0, hidden: new Set() };
   live.prepend(tools(view));
   live.append(legend(view));
   gestures(view);

@@ -38,7 +38,7 @@ export function atomsObject(group, perAngle) {
 }
 
 export function lineObject(line, unit) {
-  const material = new LineMaterial({ color: new Color(line.colour), linewidth: 4 });
+  const material = new LineMaterial({ color: new Color(line.colour), linewidth: line.guide ? 1 : 4 });
   const object = new Line2(new LineGeometry().setPositions(numbers(line.at)), material);
   const parts = [line.name, line.burgers && `b = ${line.burgers}`,
                  line.length && `length ${digits(line.length)} ${unit}`];
