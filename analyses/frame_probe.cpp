@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analyses/frame_probe.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analyses/free_memory.hpp"
+#include "readers/frame_index.hpp"
+#include "readers/input_error.hpp"
+#include "readers/positions.hpp"
+#include "readers/trajectory.hpp"
+
+namespace mdana {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr double long_enough = 0.02;  ///< seconds; what takes less is timed again
+constexpr int most_repetitions = 3;
+
+/// Chunks that are kept, again and again.
+class KeptChunks final : public ChunkSupply {
+ public:
+  explicit KeptChunks(const std::vector<Chunk>& chunks) : chunks_(chunks) {}
+  const Chunk* cut(Chunk&) override { return next_ < chunks_.size() ? &chunks_[next_++] : nullptr; }
+  void restart() override { next_ = 0; }
+
+ private:
+  const std::vector<Chunk>& chunks_;
+  std::size_t next_ = 0;
+};
+
+/// What the part of the file that was passed over tells of the rest.
+void extrapolate(FrameCount& count, double share) {
+  if (!(share > 0)) {
+    count.source = fmt::format("at least {}", count.met);
+    return;
+  }
+  count.frames = std::max(count.met, static_cast<std::uint64_t>(std::llround(static_cast<double>(count.met) / share)));
+  count.source = fmt::format("from the size of the first {}", count.met);
+}
+
+}  // namespace
+
+FrameCount count_quickly(const std::filesystem::path& dump, double most_seconds) {
+  const auto index = load_frame_index(dump);
+  const auto source = open_trajectory(dump, {});
+  FrameCount count;
+  FrameHeader header;
+  const auto start = Clock::now();
+  double first = 0, share = 0;
+  bool more = source->next(header);
+  if (!more) throw InputError(fmt::format("{}: no frame in the file", dump.string()));
+  first = source->share().value_or(0);
+  try {
+    while (more && (count.met == 0 || (!index && since(start) < most_seconds))) {
+      more = source->next(header);
+      ++count.met;
+      share = source->share().value_or(0) - first;
+    }
+  } catch (const InputError&) {  // the analyses tell of it
+    more = false;
+  }
+  count.seconds = since(start) / static_cast<double>(count.met);
+  count.counted = index || !more;
+  count.frames = index ? index->frames.size() : count.met;
+  count.source = index ? "by the index of frames" : "counted";
+  if (!count.counted) extrapolate(count, share);
+  return count;
+}
+
+FrameProbe::FrameProbe(const std::filesystem::path& dump, const Bodies& bodies, const Masses& masses,
+                       const SweepOptions& options, const ColumnSet& columns, std::span<const std::uint64_t> numbers,
+                       std::uint64_t most_atoms)
+    : bodies_(bodies), masses_(masses), options_(options) {
+  ColumnSet wanted = columns;
+  wanted.add(bodies.columns());
+  wanted.add(masses.columns());
+  if (options.selection) wanted.select(*options.selection);
+  const auto source = open_trajectory(dump, wanted);
+  FrameHeader header;
+  for (const std::uint64_t number : numbers) {
+    source->seek(number);
+    bool there = true;
+    do there = source->next(header);
+    while (there && header.index < number);
+    if (!there) break;
+    keep(*source, header, most_atoms);
+  }
+}
+
+void FrameProbe::keep(FrameSource& source, const FrameHeader& header, std::uint64_t most_atoms) {
+  Frame frame{header, header.atoms, {}};
+  const std::uint64_t every = (header.atoms + most_atoms - 1) / most_atoms;
+  frame.header.atoms = 0;
+  Chunk chunk;
+  for (std::uint64_t k = 0; source.cut(chunk); ++k) {
+    if (k % std::max<std::uint64_t>(every, 1) == 0) {
+      frame.header.atoms += chunk.atoms;
+      frame.chunks.push_back(std::move(chunk));
+    }
+    chunk = {};
+  }
+  frames_.push_back(std::move(frame));
+}
+
+std::uint64_t FrameProbe::atoms() const {
+  std::uint64_t kept = 0;
+  for (const Frame& frame : frames_) kept += frame.header.atoms;
+  return kept;
+}
+
+double FrameProbe::share() const {
+  std::uint64_t all = 0;
+  for (const Frame& frame : frames_) all += frame.atoms;
+  return static_cast<double>(atoms()) / static_cast<double>(all);
+}
+
+double FrameProbe::seconds(std::span<const std::unique_ptr<Analysis>> analyses) const {
+  FramePlan plan(bodies_, masses_, analyses, options_.selection);
+  plan.memory = options_.memory;
+  plan.frame_memory = options_.frame_memory.value_or(free_memory() / 2);
+  plan.last_digit_seed = options_.last_digit_seed;
+  plan.stop = options_.stop;
+  double least = once(plan);
+  for (int k = 1; k < most_repetitions && least < long_enough; ++k) least = std::min(least, once(plan));
+  return least / (share() * static_cast<double>(frames()));
+}
+
+/// Small frames are shared by threads, so one is timed on one thread.
+double FrameProbe::once(const FramePlan& plan) const {
+  double seconds = 0;
+  for (const Frame& frame : frames_) {
+    const auto positions = position_source(frame.header.columns);
+    std::optional<Unwrapping> unwrapping;
+    if (positions && positions->may_jump(frame.header.box)) unwrapping.emplace();
+    const bool small = frame.atoms <= AtomBlock::capacity && !unwrapping;
+    FrameRun run(plan, small ? 1 : options_.threads);
+    KeptChunks chunks(frame.chunks);
+    const auto start = Clock::now();
+    run.run(frame.header, chunks, unwrapping ? &*unwrapping : nullptr);
+    seconds += since(start) / (small ? static_cast<double>(options_.threads) : 1);
+  }
+  return seconds;
+}
+
+}  // namespace mdana
