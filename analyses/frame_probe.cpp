@@ -82,24 +82,24 @@ FrameProbe::FrameProbe(const std::filesystem::path& dump, const Bodies& bodies, 
   wanted.add(bodies.columns());
   wanted.add(masses.columns());
   if (options.selection) wanted.select(*options.selection);
-  const auto source = open_trajectory(dump, wanted);
+  source_ = open_trajectory(dump, wanted);
   FrameHeader header;
   for (const std::uint64_t number : numbers) {
-    source->seek(number);
+    source_->seek(number);
     bool there = true;
-    do there = source->next(header);
+    do there = source_->next(header);
     while (there && header.index < number);
     if (!there) break;
-    keep(*source, header, most_atoms);
+    keep(header, most_atoms);
   }
 }
 
-void FrameProbe::keep(FrameSource& source, const FrameHeader& header, std::uint64_t most_atoms) {
+void FrameProbe::keep(const FrameHeader& header, std::uint64_t most_atoms) {
   Frame frame{header, header.atoms, {}};
   const std::uint64_t every = (header.atoms + most_atoms - 1) / most_atoms;
   frame.header.atoms = 0;
   Chunk chunk;
-  for (std::uint64_t k = 0; source.cut(chunk); ++k) {
+  for (std::uint64_t k = 0; source_->cut(chunk); ++k) {
     if (k % std::max<std::uint64_t>(every, 1) == 0) {
       frame.header.atoms += chunk.atoms;
       frame.chunks.push_back(std::move(chunk));

@@ -49,12 +49,13 @@ class FrameProbe {
     std::vector<Chunk> chunks;
   };
 
-  void keep(FrameSource& source, const FrameHeader& header, std::uint64_t most_atoms);
+  void keep(const FrameHeader& header, std::uint64_t most_atoms);
   double once(const FramePlan& plan) const;
 
   const Bodies& bodies_;
   const Masses& masses_;
   const SweepOptions& options_;
+  std::unique_ptr<FrameSource> source_;  ///< whose bytes the chunks are
   std::vector<Frame> frames_;
 };
 

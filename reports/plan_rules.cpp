@@ -42,7 +42,7 @@ std::string not_built(std::string_view name) {
 // ---- what the scene calls for ----------------------------------------------------------------------------------------
 
 constexpr const char* no_solid_sphere =
-    "an aggregate of grains is no solid sphere and has no lattice; mdana network tells of its contacts";
+    "an aggregate of grains is no solid sphere and has no crystal lattice; mdana network tells of its contacts";
 
 std::string of_spheres(const Asked& a) { return a.interaction() == Interaction::aggregate ? no_solid_sphere : ""; }
 

@@ -94,8 +94,8 @@ void add_ability(Document& document, const std::string& what, const std::string&
 /// The main things that commands can do with the dump, or why they cannot; mdana plan tells all.
 void add_abilities(Document& document, const Run& run) {
   const auto add = [&](Part part, const std::string& how = {}) {
-    std::string why = obstacle(part, run);
-    if (why.empty() && run.scene.interaction != Interaction::unknown) why = not_needed(part, run);
+    std::string why = run.scene.interaction == Interaction::unknown ? "" : not_needed(part, run);
+    if (why.empty()) why = obstacle(part, run);
     add_ability(document, std::string(name(part)) + how, why);
   };
   const bool force = obstacle(Part::force, run).empty();
