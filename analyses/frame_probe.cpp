@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include <fmt/format.h>
 
@@ -18,10 +19,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+/// Seconds since it was made.
+class Watch {
+ public:
+  double wall() const { return std::chrono::duration<double>(Clock::now() - wall_).count(); }
+  double processor() const { return processor_seconds() - processor_; }
 
-constexpr double long_enough = 0.02;  ///< seconds; what takes less is timed again
-constexpr int most_repetitions = 3;
+ private:
+  Clock::time_point wall_ = Clock::now();
+  double processor_ = processor_seconds();
+};
+
+constexpr double long_enough = 0.03;  ///< seconds; what takes less is timed again
+constexpr int most_repetitions = 4;
+constexpr double patience = 3;  ///< how much longer than its processor time counting may take
 
 /// Chunks that are kept, again and again.
 class KeptChunks final : public ChunkSupply {
@@ -47,18 +58,24 @@ void extrapolate(FrameCount& count, double share) {
 
 }  // namespace
 
+double processor_seconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 FrameCount count_quickly(const std::filesystem::path& dump, double most_seconds) {
   const auto index = load_frame_index(dump);
   const auto source = open_trajectory(dump, {});
   FrameCount count;
   FrameHeader header;
-  const auto start = Clock::now();
+  const Watch watch;
   double first = 0, share = 0;
   bool more = source->next(header);
   if (!more) throw InputError(fmt::format("{}: no frame in the file", dump.string()));
   first = source->share().value_or(0);
   try {
-    while (more && (count.met == 0 || (!index && since(start) < most_seconds))) {
+    while (more && (count.met == 0 || (!index && watch.processor() < most_seconds && watch.wall() < patience * most_seconds))) {
       more = source->next(header);
       ++count.met;
       share = source->share().value_or(0) - first;
@@ -66,7 +83,7 @@ FrameCount count_quickly(const std::filesystem::path& dump, double most_seconds)
   } catch (const InputError&) {  // the analyses tell of it
     more = false;
   }
-  count.seconds = since(start) / static_cast<double>(count.met);
+  count.seconds = watch.processor() / static_cast<double>(count.met);
   count.counted = index || !more;
   count.frames = index ? index->frames.size() : count.met;
   count.source = index ? "by the index of frames" : "counted";
@@ -121,18 +138,18 @@ double FrameProbe::share() const {
   return static_cast<double>(atoms()) / static_cast<double>(all);
 }
 
-double FrameProbe::seconds(std::span<const std::unique_ptr<Analysis>> analyses) const {
+double FrameProbe::seconds(std::span<const std::unique_ptr<Analysis>> analyses, bool moved) const {
   FramePlan plan(bodies_, masses_, analyses, options_.selection);
   plan.memory = options_.memory;
   plan.frame_memory = options_.frame_memory.value_or(free_memory() / 2);
-  plan.last_digit_seed = options_.last_digit_seed;
+  if (moved) plan.last_digit_seed = 1;
   plan.stop = options_.stop;
   double least = once(plan);
   for (int k = 1; k < most_repetitions && least < long_enough; ++k) least = std::min(least, once(plan));
   return least / (share() * static_cast<double>(frames()));
 }
 
-/// Small frames are shared by threads, so one is timed on one thread.
+/// Small frames are shared by threads: each is on one.
 double FrameProbe::once(const FramePlan& plan) const {
   double seconds = 0;
   for (const Frame& frame : frames_) {
@@ -142,9 +159,9 @@ double FrameProbe::once(const FramePlan& plan) const {
     const bool small = frame.atoms <= AtomBlock::capacity && !unwrapping;
     FrameRun run(plan, small ? 1 : options_.threads);
     KeptChunks chunks(frame.chunks);
-    const auto start = Clock::now();
+    const Watch watch;
     run.run(frame.header, chunks, unwrapping ? &*unwrapping : nullptr);
-    seconds += since(start) / (small ? static_cast<double>(options_.threads) : 1);
+    seconds += watch.processor();
   }
   return seconds;
 }

@@ -20,8 +20,11 @@ struct FrameCount {
   std::uint64_t met = 0;     ///< passed over to find out
   bool counted = false;      ///< else taken from how much of the file the first frames are
   std::string source;        ///< "counted", "by the index of frames", "from the size of the first 12"
-  double seconds = 0;        ///< for one frame
+  double seconds = 0;        ///< of a processor, for one frame
 };
+
+/// That this process has used up to now, of all processors: what else the machine does is not in it.
+double processor_seconds();
 
 /// Passes over frames for no longer than that (but over one), unless an index tells. Throws InputError.
 FrameCount count_quickly(const std::filesystem::path& dump, double most_seconds);
@@ -38,9 +41,9 @@ class FrameProbe {
   std::uint64_t atoms() const;  ///< that were kept
   double share() const;         ///< of the atoms of these frames
 
-  /// Seconds for all atoms of a frame, the mean over the frames. The first of the analyses must be a motion.
-  /// Throws InputError.
-  double seconds(std::span<const std::unique_ptr<Analysis>> analyses) const;
+  /// Seconds of all processors for the atoms of a frame, the mean over the frames. Analyses that follow the motion need one
+  /// before them. `moved`: with the last digits of all numbers moved. Throws InputError.
+  double seconds(std::span<const std::unique_ptr<Analysis>> analyses, bool moved = false) const;
 
  private:
   struct Frame {

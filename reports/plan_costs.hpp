@@ -13,7 +13,7 @@ namespace mdana {
 struct PartCost {
   std::string what;
   double passes = 1;   ///< over the frames
-  double seconds = 0;  ///< in all
+  double seconds = 0;  ///< of processors, in all
   double bytes = 0;    ///< of memory
 };
 
@@ -25,7 +25,8 @@ struct PlanCost {
   std::uint64_t input_bytes = 0;  ///< on disk
   std::uint64_t tokens = 0;  ///< numbers converted in a pass
   std::vector<PartCost> parts;
-  double seconds = 0;        ///< in all
+  double processor_seconds = 0;
+  double seconds = 0;        ///< from start to end with these threads, on a machine that does nothing else
   double bytes = 0;          ///< greatest memory
   double factor = 1;         ///< the times may be that much longer or shorter
   std::string source;        ///< "5 of 49 frames, spread over the run, were analysed in 0.02 s"

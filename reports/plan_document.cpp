@@ -53,8 +53,9 @@ Json estimate_json(const PlanCost& cost) {
   Json parts = Json::array();
   for (const PartCost& part : cost.parts)
     parts.push_back({{"what", part.what}, {"passes", part.passes}, {"seconds", part.seconds}, {"bytes", part.bytes}});
-  return {{"seconds", cost.seconds}, {"bytes", cost.bytes},   {"factor", cost.factor},
-          {"source", cost.source},   {"numbers", cost.tokens}, {"input_bytes", cost.input_bytes}, {"parts", parts}};
+  return {{"seconds", cost.seconds}, {"processor_seconds", cost.processor_seconds}, {"bytes", cost.bytes},
+          {"factor", cost.factor},   {"source", cost.source},                       {"numbers", cost.tokens},
+          {"input_bytes", cost.input_bytes}, {"parts", parts}};
 }
 
 std::string cost_text(const PartCost* cost) {
@@ -74,8 +75,9 @@ void add_computed_lines(Document& document, const CostedPlan& planned) {
   for (const LeftOut& l : planned.plan.left_out) document.line("  " + l.what, l.reason);
 }
 
-std::string estimate_text(double seconds, double bytes) {
-  return fmt::format("about {}, {}", time_text(seconds), bytes_text(bytes));
+std::string estimate_text(double processor_seconds, double seconds, double bytes) {
+  return fmt::format("about {} of processors, {} by the clock, {}", time_text(processor_seconds), time_text(seconds),
+                     bytes_text(bytes));
 }
 
 }  // namespace
@@ -109,7 +111,7 @@ void add_costed_plan(Document& document, const Run& run, const CostedPlan& plann
   document.line("columns", fmt::format("{} of {} read: {}", read.size(), run.first.columns.size(), fmt::join(read, " ")));
   add_computed_lines(document, planned);
   if (!plan.computed.empty())
-    document.line("estimate", fmt::format("{}; the time within a factor of {:.2g}: {}", estimate_text(cost.seconds, cost.bytes),
+    document.line("estimate", fmt::format("{}; the time within a factor of {:.2g}: {}", estimate_text(cost.processor_seconds, cost.seconds, cost.bytes),
                                           cost.factor, cost.source));
 }
 
@@ -133,7 +135,7 @@ Table cost_table(const PlanCost& cost) {
 
 void add_study_plan(Document& document, const std::vector<PlannedOfStudy>& runs) {
   Json list = Json::array();
-  double seconds = 0, bytes = 0;
+  double processors = 0, seconds = 0, bytes = 0;
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> left_out;
   for (const PlannedOfStudy& run : runs) {
     Json json{{"name", run.name}, {"state", run.state}, {"cached", run.cached}};
@@ -144,20 +146,22 @@ void add_study_plan(Document& document, const std::vector<PlannedOfStudy>& runs)
       json.update(run.document);
       for (const LeftOut& l : run.planned.plan.left_out) left_out[{l.what, l.reason}].push_back(run.name);
       if (!run.cached) {
-        seconds += run.planned.cost.seconds;
-        bytes = std::max(bytes, run.planned.cost.bytes);
-        text += ", " + estimate_text(run.planned.cost.seconds, run.planned.cost.bytes);
+        const PlanCost& cost = run.planned.cost;
+        processors += cost.processor_seconds;
+        seconds += cost.seconds;
+        bytes = std::max(bytes, cost.bytes);
+        text += ", " + estimate_text(cost.processor_seconds, cost.seconds, cost.bytes);
       }
     }
     document.line(run.name, text);
     list.push_back(std::move(json));
   }
   document.json("runs", std::move(list));
-  document.json("estimate", {{"seconds", seconds}, {"bytes", bytes}});
+  document.json("estimate", {{"seconds", seconds}, {"processor_seconds", processors}, {"bytes", bytes}});
   document.line("left out", "because (in which runs)");
   for (const auto& [what, names] : left_out)
     document.line("  " + what.first, fmt::format("{} ({})", what.second, fmt::join(names, ", ")));
-  document.line("all", fmt::format("{}, run by run; figures and the page, some seconds, come besides", estimate_text(seconds, bytes)));
+  document.line("all", fmt::format("{}, run by run; figures and the page, some seconds, come besides", estimate_text(processors, seconds, bytes)));
 }
 
 Table study_cost_table(const std::vector<PlannedOfStudy>& runs) {

@@ -192,6 +192,13 @@ ColumnSet positions(const Asked&) { return {"x", "y", "z"}; }
 ColumnSet kinetic(const Asked&) { return {"x", "y", "z", "vx", "vy", "vz"}; }
 ColumnSet of_the_lattice(const Asked& a) { return columns_of(a, "defects"); }
 
+/// Grains are followed by id.
+ColumnSet of_the_grains(const Asked& a) {
+  ColumnSet columns = columns_of(a, "contact_network");
+  if (a.run.first.has_column("id")) columns.add("id");
+  return columns;
+}
+
 using Text = std::string;
 
 const std::array all_rules{
@@ -225,10 +232,10 @@ const std::array all_rules{
          [](const Asked& a) { return columns_of(a, "halves"); }},
     Rule{Part::coordination, "coordination", of_aggregates, grains,
          [](const Asked&) -> Text { return "contacts of the grains in the first frame"; },
-         [](const Asked& a) { return columns_of(a, "contact_network"); }},
+         of_the_grains},
     Rule{Part::network, "contact network", of_aggregates, grains,
          [](const Asked&) -> Text { return "contacts of the grains in every frame"; },
-         [](const Asked& a) { return columns_of(a, "contact_network"); }, "network"},
+         of_the_grains, "network"},
     Rule{Part::accuracy, "error against run time", if_accuracy, a_force,
          [](const Asked&) -> Text { return "the published numbers again, with fewer frames and other methods"; }, motion},
     Rule{Part::stability, "numerical stability", if_stability, a_force,
