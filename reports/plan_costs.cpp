@@ -130,7 +130,8 @@ class Estimate {
     pass_ = count_.seconds * static_cast<double>(count_.frames);
     cost_.tokens = cost_.frames * cost_.atoms * ColumnChoice(run_.first, with_bodies()).columns().size();
     serial_ += pass_;
-    add("reading, centres of mass", start_seconds + prepare_seconds() + pass_ + base_ * frames(), reading_bytes());
+    add("reading, centres of mass", start_seconds + prepare_seconds() + pass_ + base_ * frames(), reading_bytes(), 1,
+        "once, for all that follows");
     for (const PlannedPart& part : plan_.computed) time(part.part, probe);
   }
 
@@ -150,8 +151,8 @@ class Estimate {
     return {all.has("vx"), all.has("fx")};
   }
 
-  void add(std::string_view what, double seconds, double bytes = 0, double passes = 1) {
-    cost_.parts.push_back({std::string(what), passes, seconds, bytes});
+  void add(std::string_view what, double seconds, double bytes = 0, double passes = 1, const char* shared = "") {
+    cost_.parts.push_back({std::string(what), passes, seconds, bytes, shared});
   }
 
   /// A part that has analyses of its own.
@@ -219,7 +220,7 @@ class Estimate {
   /// each other do.
   void time_exchange() {
     if (run_.scene.interaction != Interaction::hertz || !run_.first.has_column("id")) return;
-    add("exchanged atoms", pass_ + cluster_seconds * atoms(), 0, 1);
+    add("exchanged atoms", pass_ + cluster_seconds * atoms(), 0, 1, "once more, as the bodies separate");
   }
 
   /// What every command does before.

@@ -9,12 +9,13 @@
 
 namespace mdana {
 
-/// What a part of a plan takes, or the reading that all parts share.
+/// What a part of a plan takes, or what parts share.
 struct PartCost {
   std::string what;
   double passes = 1;   ///< over the frames
   double seconds = 0;  ///< of processors, in all
   double bytes = 0;    ///< of memory
+  std::string shared;  ///< what it is for, if it is none of the plan's parts
 };
 
 /// What a plan takes, how that was found, and how far it may be off.

@@ -59,14 +59,15 @@ Json estimate_json(const PlanCost& cost) {
 }
 
 std::string cost_text(const PartCost* cost) {
-  return cost ? fmt::format("{:>8} {:>7}", time_text(cost->seconds), cost->bytes > 0 ? bytes_text(cost->bytes) : "") : std::string(16, ' ');
+  if (!cost) return std::string(16, ' ');
+  return fmt::format("{:>8} {:>7}", time_text(cost->seconds), cost->bytes > 5e5 ? bytes_text(cost->bytes) : "");
 }
 
 /// A block of the terminal: a head, and lines below it.
 void add_computed_lines(Document& document, const CostedPlan& planned) {
   document.line("computed", fmt::format("{:>8} {:>7}  because (from columns)", "time", "memory"));
-  if (!planned.cost.parts.empty())
-    document.line("  " + planned.cost.parts.front().what, cost_text(&planned.cost.parts.front()) + "  once, for all that follows");
+  for (const PartCost& part : planned.cost.parts)
+    if (!part.shared.empty()) document.line("  " + part.what, fmt::format("{}  {}", cost_text(&part), part.shared));
   for (const PlannedPart& part : planned.plan.computed)
     document.line(fmt::format("  {}", name(part.part)),
                   fmt::format("{}  {} ({})", cost_text(cost_of(planned.cost, name(part.part))), part.reason,
