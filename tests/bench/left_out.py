@@ -20,26 +20,16 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 
 import dumps
+from measuring import measured
 
 SAMPLE = ROOT / "sample-data"
-REPETITIONS = 5
+REPETITIONS = 3
 
 
-def measured(command):
-    """What the command prints, the least seconds of some runs, and the peak memory in MB."""
-    seconds, memory = [], []
-    for _ in range(REPETITIONS):
-        with tempfile.TemporaryFile("w+") as told:
-            process = subprocess.Popen([str(part) for part in command], stdout=told, stderr=subprocess.DEVNULL)
-            _, status, used = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(status)
-            if process.returncode not in (0, 4):
-                sys.exit(f"{' '.join(map(str, command))}: exit {process.returncode}")
-            told.seek(0)
-            text = told.read()
-        seconds.append(used.ru_utime + used.ru_stime)
-        memory.append(used.ru_maxrss / 1024)
-    return json.loads(text), min(seconds), min(memory)
+def least(command):
+    """What the command prints, the least seconds of processors of some runs, and the least peak memory in MB."""
+    runs = [measured(command, codes=(0, 4)) for _ in range(REPETITIONS)]
+    return json.loads(runs[0][0]), min(run[2] for run in runs), min(run[3] for run in runs) / 1e6
 
 
 def scenes(folder):
@@ -66,9 +56,9 @@ def text_bytes(dump):
 
 
 def row(build, name, dump, scene, command):
-    told, seconds, memory = measured([build / "mdana", command, dump, "--scene", scene, "--json"])
-    everything, all_seconds, all_memory = measured([build / "tests" / "bench" / "everything", dump, scene])
-    info, _, _ = measured([build / "mdana", "info", dump, "--scene", scene, "--json"])
+    told, seconds, memory = least([build / "mdana", command, dump, "--scene", scene, "--json"])
+    everything, all_seconds, all_memory = least([build / "tests" / "bench" / "everything", dump, scene])
+    info, _, _ = least([build / "mdana", "info", dump, "--scene", scene, "--json"])
     atoms = told["frames"] * info["atoms"][1]
     read = len(told["columns_read"])
     return [name, f"`{command}`", f"{text_bytes(dump) / 1e6:.3g}",
@@ -84,15 +74,13 @@ def libraries(program):
 
 def sizes(build, lean):
     """Program, its bytes without symbols, how many libraries are loaded, their bytes, and those that only one has."""
-    whole = libraries(build / "mdana")
-    print("\n| build | program, MB | libraries loaded | their size, MB | of them HDF5, netCDF, curl ... |\n|---|---:|---:|---:|---|")
+    print("\n| build | program, MB | libraries loaded | their size, MB | which the lean one has not |\n|---|---:|---:|---:|---|")
     for name, place in (("whole", build), ("lean", lean)):
         linked = libraries(place / "mdana")
         total = sum(os.stat(os.path.realpath(path)).st_size for path in linked.values() if path.startswith("/"))
         only = sorted(set(linked) - set(libraries(lean / "mdana"))) if name == "whole" else []
         short = ", ".join(entry.split(".so")[0].removeprefix("lib") for entry in only) or "none"
         print(f"| {name} | {(place / 'mdana').stat().st_size / 1e6:.1f} | {len(linked)} | {total / 1e6:.0f} | {short} |")
-    assert whole
 
 
 def main():
@@ -106,7 +94,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="mdana-bench-") as folder:
         more = []
         for text in args.run:
-            name, rest = text.split("=", 1)
+            name, rest = text.rsplit("=", 1)
             dump, command = rest.rsplit(":", 1)
             more.append((name, Path(dump), Path(dump).parent / "scene.toml", command))
         for scene in [*scenes(Path(folder)), *more]:

@@ -7,7 +7,6 @@ clock, if the machine does nothing else.
 With MDANA_LONG_RUNS=DIR the runs are kept in DIR, and taken from there if they are there."""
 
 import os
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -16,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "oracles"))
 
 import lammps
 import running
+from measuring import measured
 
 FACTOR = 2
 RUNS = {
@@ -27,21 +27,11 @@ COMMANDS = (("hertz_r10_s1", "collision"), ("hertz_r10_s1", "report"), ("defects
             ("defects_r10_v05", "collision"), ("aggregate_v5", "compress"), ("aggregate_v5", "network"))
 
 
-def measured(arguments_of):
+def least(arguments_of):
     """Seconds by the clock and of processors, and peak memory in bytes: each the least of two runs, the first of which also
     fills the page cache."""
-    results = []
-    for repetition in range(2):
-        start = time.monotonic()
-        with subprocess.Popen([running.program, *map(str, arguments_of(repetition))], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE) as process:
-            error = process.stderr.read()
-            _, status, used = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode not in (0, 4):
-            raise AssertionError(error.decode())
-        results.append((time.monotonic() - start, used.ru_utime + used.ru_stime, 1024 * used.ru_maxrss))
-    return [min(values) for values in zip(*results)]
+    runs = [measured([running.program, *arguments_of(repetition)], codes=(0, 4))[1:] for repetition in range(2)]
+    return [min(values) for values in zip(*runs)]
 
 
 class Estimates(running.Case):
@@ -68,7 +58,7 @@ class Estimates(running.Case):
             estimate = self.document("plan", folder / "dump.lammpstrj.gz", "--for", command)["estimate"]
             planned = time.monotonic() - start
             idle = os.getloadavg()[0] < 0.5
-            clock, processors, memory = measured(lambda repetition: self.arguments(command, folder, repetition))
+            clock, processors, memory = least(lambda repetition: self.arguments(command, folder, repetition))
             cells, checked = [name, command], []
             for what, found, unit, matters in (("processor_seconds", processors, 1, True), ("seconds", clock, 1, idle),
                                                ("bytes", memory, 1e6, True)):
