@@ -56,6 +56,12 @@ void add_methods(std::vector<AccuracyRow>& rows, const AnalysedRun& full, const 
 
 }  // namespace
 
+std::pair<double, double> accuracy_passes() {
+  double share = 0;
+  for (const std::uint64_t stride : strides) share += 1 / static_cast<double>(stride);
+  return {static_cast<double>(repetitions * strides.size()), repetitions * share};
+}
+
 std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full,
                                        const SweepOptions& options) {
   std::vector<AccuracyRow> rows;

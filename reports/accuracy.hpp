@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/analysed_run.hpp"
@@ -21,5 +22,8 @@ struct AccuracyRow {
 /// The reference is every frame with the default method. `full` is that run.
 std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full,
                                        const SweepOptions& options);
+
+/// Passes over the dump that this takes, and how many times the number of its frames are analysed in them.
+std::pair<double, double> accuracy_passes();
 
 }  // namespace mdana

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/analysed_run.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "analyses/defects.hpp"
@@ -27,12 +29,12 @@ void fit_hertz_of(AnalysedRun& result, const Run& run, bool take_radius) {
 class Pass {
  public:
   Pass(const Run& run, const RunWishes& wishes, AnalysedRun& result) : run_(run), wishes_(wishes), result_(result) {
-    plan_contact();
+    if (result.plan.has(Part::contact_radius)) set_contact();
     result_.contact_tables = analyses_.size();
-    velocities_ = wishes.energies && run.first.has_column("vx");
-    if (wishes.energies) analyses_.push_back(make_far_side());
+    velocities_ = result.plan.has(Part::energies);
+    if (result.plan.has(Part::plasticity)) analyses_.push_back(make_far_side());
     if (velocities_) analyses_.push_back(make_energy(choose_potential(run, wishes.potential).column));
-    if (wishes.defects) plan_defects();
+    if (result.plan.has(Part::structure)) set_structure();
   }
 
   void measure(const SweepOptions& options) {
@@ -49,17 +51,30 @@ class Pass {
       result_.energy = measure_energy(run_, result_.measured, result_.measured.swept.tables[result_.contact_tables + 2],
                                       result_.radii, wishes_.potential);
     if (result_.defects) take_defects();
+    settle();
   }
 
  private:
-  void plan_contact() try {
+  void set_contact() try {
     result_.contact_setup = contact_setup(run_, wishes_.contact);
     analyses_ = contact_analyses(result_.radii, *result_.contact_setup);
   } catch (const InputError& error) {
-    result_.no_contact_setup = error.what();
+    leave_out_contact(error.what());
   }
 
-  void plan_defects() {
+  void leave_out_contact(const std::string& reason) {
+    result_.plan.leave_out(Part::contact_areas, reason);
+    result_.plan.leave_out(Part::contact_radius, reason);
+  }
+
+  /// What only the motion itself tells.
+  void settle() {
+    result_.plan.settle(result_.restitution, result_.curve.outcome);
+    if (result_.contact_setup && !result_.touch())
+      leave_out_contact("the layer about the contact plane never holds atoms of both bodies");
+  }
+
+  void set_structure() {
 #ifdef MDANA_WITH_DEFECTS
     result_.defects.emplace();
     DefectSettings settings;
@@ -107,23 +122,26 @@ std::vector<PublishedValue> AnalysedRun::numbers() const {
   return all;
 }
 
+/// Parts that numbers() are of.
+constexpr std::array published{Part::force, Part::contact_radius, Part::contact_areas, Part::hertz_fit};
+
 RunWishes same_numbers(const AnalysedRun& analysed) {
   RunWishes wishes;
-  if (analysed.hertz)
-    wishes.hertz = true;
-  else
-    wishes.radii = analysed.radii;
+  for (const PlannedPart& planned : analysed.plan.computed)
+    if (std::ranges::find(published, planned.part) != published.end()) wishes.plan.computed.push_back(planned);
+  if (!analysed.hertz) wishes.radii = analysed.radii;
   return wishes;
 }
 
 AnalysedRun analyse_run(const Run& run, const RunWishes& wishes, const SweepOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   AnalysedRun result;
+  result.plan = wishes.plan;
   result.source = best_force_source(run);
   result.radii = wishes.radii ? *wishes.radii : find_radii(run, {});
   Pass pass(run, wishes, result);
   pass.measure(options);
-  if (wishes.hertz) fit_hertz_of(result, run, !wishes.radii);
+  if (result.plan.has(Part::hertz_fit)) fit_hertz_of(result, run, !wishes.radii);
   pass.conclude();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -12,29 +12,28 @@
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
 #include "reports/measured_energy.hpp"
+#include "reports/plan.hpp"
 #include "reports/run.hpp"
 
 namespace mdana {
 
 /// What is wanted of one pass over a collision, and what the dump does not say.
 struct RunWishes {
+  Plan plan;
   std::optional<Radii> radii;  ///< place delta; without them the fitted R if it is fitted, else find_radii
   ContactOptions contact;
   PotentialOptions potential;
-  bool hertz = false;     ///< Hertz fit
-  bool energies = false;  ///< and how far the far sides reach; if the dump has velocities
-  bool defects = false;   ///< crystal structure of every frame, if this build has it
 };
 
 /// Everything that is known of a collision from one pass over the dump.
 struct AnalysedRun {
+  Plan plan;                ///< with what turned out not to be possible left out
   MeasuredMotion measured;  ///< tables: motion, those of the contact radius, far_side and energy if wanted
   ForceSource source = ForceSource::velocities;
   Radii radii;
   ForceCurve curve;
   Restitution restitution;
   std::optional<ContactSetup> contact_setup;  ///< nothing: the contact radius cannot be measured
-  std::string no_contact_setup;               ///< why
   std::size_t contact_tables = 0;
   ContactNumbers contact;                     ///< with a set-up
   std::optional<HertzResult> hertz;

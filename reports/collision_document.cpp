@@ -36,8 +36,6 @@ void tell_plasticity(Document& document, const AnalysedRun& analysed, const Elas
   document.number("p_c.hertz", signs.pressure_hertz);
   if (signs.pressure_jkr)
     document.number("p_c.jkr", *signs.pressure_jkr);
-  else
-    document.left_out("p_c by JKR", "E* or gamma is not known; add --modulus, --surface-energy");
   document.number("delta_residual", signs.residual);
   document.text("plastic", std::string(name(signs.verdict)));
   document.json("plastic_reasons", signs.reasons);
@@ -57,9 +55,7 @@ void tell_energy(Document& document, const Run& run, const AnalysedRun& analysed
 }
 
 void tell_contact(Document& document, const Run& run, const AnalysedRun& analysed) {
-  if (!analysed.contact_setup) return document.left_out("contact radius", analysed.no_contact_setup);
-  if (!analysed.touch())
-    return document.left_out("contact radius", "the layer about the contact plane never holds atoms of both bodies");
+  if (!analysed.touch()) return;
   add_contact_radius(document, analysed.contact, *analysed.contact_setup);
   for (const std::string& w : contact_disagreements(analysed.contact, run.units)) document.warn(w);
 }
@@ -87,16 +83,14 @@ Table add_collision(Document& document, const Run& run, const AnalysedRun& analy
                     const SweepOptions& sweeping, bool final_clusters) {
   Table table = all_columns(analysed);
   document.sweep(analysed.measured.swept, run.format);
+  add_plan(document, analysed.plan);
   tell_bodies(document, analysed);
   add_force(document, analysed.curve, analysed.source, analysed.radii);
   tell_time_of_compression(document, analysed);
   add_restitution(document, analysed.restitution);
   add_overlays(document, table, analysed.curve, contact);
   tell_plasticity(document, analysed, contact);
-  if (analysed.energy)
-    tell_energy(document, run, analysed, sweeping, final_clusters);
-  else
-    document.left_out("energies", "the dump has no velocities");
+  if (analysed.energy) tell_energy(document, run, analysed, sweeping, final_clusters);
   tell_contact(document, run, analysed);
   add_lost_atoms(document, analysed.measured.motion);
   warn_of_force(document, analysed.curve);

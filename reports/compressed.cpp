@@ -40,8 +40,7 @@ ApproachSeries approach_by_sign(const RelativeMotion& motion, const Table& halve
 
 void require_times(const Run& run) {
   if (run.first.time || run.timestep) return;
-  throw InputError(fmt::format("{}: t_max and v_rel need the time between frames, which is unknown; add "
-                               "--timestep DT, or dump with 'dump_modify time yes'", run.dump.string()));
+  throw InputError(fmt::format("{}: {}", run.dump.string(), times_not_known));
 }
 
 /// As mdana network counts contacts, in the first frame that is used.
@@ -60,7 +59,6 @@ void count_contacts(const Run& run, SweepOptions sweeping, CompressedRun& result
 void tell_coordination(Document& document, const CompressedRun& run) {
   if (run.no_coordination.empty()) return document.number("coordination", run.coordination);
   document.json("coordination", nullptr);
-  document.left_out("coordination", run.no_coordination);
 }
 
 /// Damage that ended the dump before the bodies met is part of the reason.
@@ -214,6 +212,11 @@ CompressedRun measure_compression(const Run& run, const RunOptions& options, con
   result.series = {approach_by_sign(motion, result.measured.swept.tables[1]), approach_by_membership(motion)};
   count_contacts(run, sweeping, result);
   return result;
+}
+
+void settle(Plan& plan, const CompressedRun& run) {
+  plan.settle(run.restitution, run.curve.outcome);
+  if (!run.no_coordination.empty()) plan.leave_out(Part::coordination, run.no_coordination);
 }
 
 Compressing compressing(const CompressedRun& run, const SurfaceOffset& offset) {

@@ -12,6 +12,7 @@
 #include "fits/collision_law.hpp"
 #include "reports/document.hpp"
 #include "reports/measured.hpp"
+#include "reports/plan.hpp"
 #include "reports/run.hpp"
 
 namespace mdana {
@@ -48,6 +49,9 @@ struct CompressedRun {
 
 /// One pass over the dump. Throws InputError: without contact, with less than two frames, without times.
 CompressedRun measure_compression(const Run& run, const RunOptions& options, const SweepOptions& sweeping);
+
+/// Leaves out what turned out not to be possible.
+void settle(Plan& plan, const CompressedRun& run);
 
 /// Motion of both bodies and of both halves: what -dX/dt and X are by either split.
 ApproachSeries approach_by_membership(const RelativeMotion& motion);

@@ -179,8 +179,6 @@ void add_contact_radius(Document& document, const ContactNumbers& numbers,
   if (!setup.spacing_source.empty()) {
     length("contact_radius.spacing", setup.spacing);
     document.json("contact_radius.spacing.source", setup.spacing_source);
-  } else {
-    document.left_out("contact radius by area and by neighbours", "this build has no contact_patch");
   }
 }
 

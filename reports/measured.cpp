@@ -103,8 +103,7 @@ void add_force(Document& document, const ForceCurve& curve, ForceSource source,
 
 void add_restitution(Document& document, const Restitution& restitution) {
   add_off_axis(document, restitution);
-  if (!restitution.reason.empty())
-    return document.left_out("coefficient of restitution", restitution.reason);
+  if (!restitution.reason.empty()) return;
   document.number("e", restitution.e);
   document.number("e_total", restitution.e_total);
   document.number("speed_before", restitution.speed_before);

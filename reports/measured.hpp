@@ -33,7 +33,7 @@ ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, Fo
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,
                const Radii& radii);
 
-/// Motion off the axis, e, e_total and the speeds that they are ratios of, or why there are none.
+/// Motion off the axis, e, e_total and the speeds that they are ratios of, if they are determined; Plan::settle says why not.
 void add_restitution(Document& document, const Restitution& restitution);
 
 /// `lost`, the greatest number of the bodies' atoms that are missing, and a warning if there are any.

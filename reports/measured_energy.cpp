@@ -10,6 +10,7 @@
 #include "analyses/energy.hpp"
 #include "readers/boltzmann.hpp"
 #include "readers/input_error.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana {
 namespace {
@@ -110,7 +111,7 @@ void add_potential(Document& document, const MeasuredEnergy& energy) {
     if (energy.potential.obstacle.empty())
       document.text("energy.potential_source", "column " + energy.potential.column);
     else
-      leave_out(document, "W", energy.potential.obstacle);
+      document.line("left out", "W: " + energy.potential.obstacle);
     return;
   }
   const auto& [log, logged] = *energy.log;
@@ -148,10 +149,8 @@ PotentialChoice choose_potential(const Run& run, const PotentialOptions& options
 }
 
 MotionParts parts_for_energy(const Run& run) {
-  for (const char* column : {"vx", "vy", "vz"})
-    if (!run.first.has_column(column))
-      throw InputError(fmt::format("{}: no column {}; energies need the velocities of the atoms",
-                                   run.first.place, column));
+  if (const std::string why = obstacle(Part::energies, run); !why.empty())
+    throw InputError(fmt::format("{}: {}", run.first.place, why));
   bool forces = true;
   for (const char* column : {"fx", "fy", "fz"}) forces = forces && run.first.has_column(column);
   return {true, forces};

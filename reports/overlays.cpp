@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "reports/plan.hpp"
+
 namespace mdana {
 namespace {
 
@@ -70,14 +72,13 @@ LoopForce loop_force(const ForceCurve& curve) {
 void add_overlays(Document& document, Table& table, const ForceCurve& curve,
                   const ElasticContact& contact) {
   if (!(contact.surface_energy > 0))
-    return document.left_out("F/F_c", "gamma is not known; state it in the scene ([material]) or add --surface-energy");
+    return document.left_out("F/F_c", gamma_not_known);
   const double pull = 3 * std::numbers::pi * contact.surface_energy * contact.radius;
   document.number("F_c", {pull, {}, dimension::force});
   table.add_column({"F_over_F_c", dimension::none}, over(curve.force, pull));
   add_loop(document, table, curve, pull);
   if (!(contact.modulus > 0))
-    return document.left_out("delta/delta_0, F_jkr", "E* is not known; add --modulus (fit-hertz measures it in a "
-                                                     "repulsive run; a report takes that of the same radius)");
+    return document.left_out("delta/delta_0, F_jkr", modulus_not_known);
   const double a0 = std::cbrt(9 * std::numbers::pi * contact.surface_energy *
                               (contact.radius * (contact.radius / contact.modulus)));
   const double delta0 = a0 * (a0 / (3 * contact.radius));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyses/sweep.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana {
 
@@ -55,6 +56,19 @@ struct ReportOptions {
   SweepOptions sweeping;     ///< threads: of all runs together
   std::function<void(const std::string&)> tell;  ///< a line on what is being done
 };
+
+/// A run of a study and how far it is.
+struct RunOutlook {
+  std::string name;
+  RunOptions options;     ///< dump and scene, absolute; empty if the run fails
+  PlanWishes wishes;
+  std::string frames;     ///< as --frames; empty: all
+  bool cached = false;    ///< its result is there and right
+  std::string state;      ///< "to run: no result yet"
+};
+
+/// Without an output there are no results. Throws InputError.
+std::vector<RunOutlook> study_outlook(const ReportOptions& options);
 
 /// What would be run, and why, a line a run.
 std::string planned_report(const ReportOptions& options);

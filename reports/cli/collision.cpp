@@ -34,13 +34,18 @@ struct Told {
 Told analyse(const Values& values, const Wishes& wishes) {
   const Run run = prepare_run(wishes.run);
   require_two_bodies(run);
+  const Material material = material_options(values, run.scene);
+  PlanWishes asked;
+  asked.potential = wishes.potential;
+  asked.layer = wishes.contact.layer;
+  asked.modulus = material.modulus.has_value();
+  asked.surface_energy = material_options(values, {}).surface_energy;
   RunWishes all;
+  all.plan = plan_command(run, "collision", asked);
   all.radii = find_radii(run, wishes.run);
   all.contact = wishes.contact;
   all.potential = wishes.potential;
-  all.energies = true;
   const AnalysedRun analysed = analyse_run(run, all, wishes.sweeping);
-  const Material material = material_options(values, run.scene);
   const ElasticContact contact{analysed.radii.reduced(), material.modulus.value_or(0),
                                material.surface_energy.value_or(0)};
   Told told{Document("collision", run), {}, {}};

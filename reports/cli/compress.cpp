@@ -50,6 +50,9 @@ CompressedRun measure(const Run& run, const Wishes& wanted) {
 Document document_of(const Run& run, const CompressedRun& compressed, Split split, const SurfaceOffset& offset) {
   Document document("compress", run);
   document.sweep(compressed.measured.swept, run.format);
+  Plan plan = plan_command(run, "compress");
+  settle(plan, compressed);
+  add_plan(document, plan);
   add_compression(document, compressed, split, offset);
   return document;
 }

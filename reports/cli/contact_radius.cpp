@@ -3,6 +3,7 @@
 #include "readers/input_error.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/measured.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -28,20 +29,14 @@ Table contact_table(const MeasuredMotion& measured, const std::vector<double>& d
 
 /// Columns a_hertz and a_jkr, as far as their constants are known.
 void add_laws(Document& document, Table& table, const std::vector<double>& delta,
-              const Radii& radii, const Material& material) {
+              const Radii& radii, const Material& material, const Plan& plan) {
   const double reduced = radii.value[0] * (radii.value[1] / radii.sum());
   if (const ForceLaw* hertz = find_force_law("hertz"))
     add_law_column(table, delta, *hertz, {reduced, 0, 0});
   else
     document.left_out("a_hertz", "this build has no such law");
-  const ForceLaw* jkr = find_force_law("jkr");
-  if (jkr && material.modulus && material.surface_energy)
-    add_law_column(table, delta, *jkr, {reduced, *material.modulus, *material.surface_energy});
-  else
-    document.left_out("a_jkr", !jkr ? "this build has no such law"
-                               : material.modulus ? "gamma is not known; add --surface-energy"
-                                                  : "E* is not known; add --modulus (fit-hertz "
-                                                    "measures it in a repulsive run)");
+  if (plan.has(Part::jkr))
+    add_law_column(table, delta, *find_force_law("jkr"), {reduced, *material.modulus, *material.surface_energy});
 }
 
 void add_options(Options& options) {
@@ -68,6 +63,11 @@ int run_command(const Values& values) {
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const Material material = material_options(values, run.scene);
+  PlanWishes wishes;
+  wishes.layer = contact.layer;
+  wishes.modulus = material.modulus.has_value();
+  wishes.surface_energy = material_options(values, {}).surface_energy;
+  const Plan plan = plan_command(run, "contact-radius", wishes);
   const Radii radii = find_radii(run, options);
   const ContactSetup setup = contact_setup(run, contact);
   const MeasuredMotion measured =
@@ -81,10 +81,11 @@ int run_command(const Values& values) {
   add_contact_radius(document, numbers, setup);
   document.text("radius_source", radii.source);
   for (const std::string& w : contact_disagreements(numbers, run.units)) document.warn(w);
+  add_plan(document, plan);
   document.left_out("force, velocities", "not needed for the contact radius; only positions are read");
   const std::vector<double> delta = approach(measured.motion, radii.sum());
   Table table = contact_table(measured, delta);
-  add_laws(document, table, delta, radii, material);
+  add_laws(document, table, delta, radii, material, plan);
   return emit(values, document, &table);
 }
 

@@ -12,6 +12,7 @@
 #include "reports/csv.hpp"
 #include "reports/defect_pictures.hpp"
 #include "reports/labelled_dump.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -176,6 +177,8 @@ int run_command(const Values& values) {
   SweepOptions sweeping = frames_of(values, options);
   const Run run = prepare_run(options);
   sweeping.selection = run.selection;
+  Plan plan = plan_command(run, "defects");
+  if (!settings.surface && !settings.lines) plan.leave_out(Part::dislocations, "--no-surface, --no-lines");
   Products products;
   if (format) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
   if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>(), settings);
@@ -186,6 +189,7 @@ int run_command(const Values& values) {
       history_of(run, options, sweeping, std::move(settings), products, swept);
   Document document("defects", run);
   document.sweep(swept, run.format);
+  add_plan(document, plan);
   add_defects(document, history);
   if (products.dump) {
     products.dump->commit();

@@ -2,6 +2,7 @@
 #include "analyses/energy.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/exchange.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -47,6 +48,9 @@ int run_command(const Values& values) {
 
   Document document("energy", run);
   document.sweep(measured.swept, run.format);
+  PlanWishes wishes;
+  wishes.potential = potential;
+  add_plan(document, plan_command(run, "energy", wishes));
   add_lost_atoms(document, measured.motion);
   add_energy(document, energy);
   tell_exchange(document, {run, radii, measured, energy, sweeping}, values["final-clusters"].as<bool>());

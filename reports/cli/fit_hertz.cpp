@@ -10,6 +10,7 @@
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
 #include "reports/hertz_sizes.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -80,6 +81,7 @@ Told analyse(const RunOptions& options, const SweepOptions& sweeping, const Hert
   Told told{Document("fit-hertz", run), hertz_table(hertz, curve), hertz,
             measured.swept.tables[0].column("atoms1")[0]};
   told.document.sweep(measured.swept, run.format);
+  add_plan(told.document, plan_command(run, "fit-hertz"));
   told.document.json("force_source", name(source));
   told.document.line("force from", std::string(description(source)));
   add_hertz(told.document, run, hertz);

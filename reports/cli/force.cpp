@@ -9,6 +9,7 @@
 #include "reports/cli/command.hpp"
 #include "reports/measured.hpp"
 #include "reports/measured_energy.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -35,10 +36,7 @@ void add_comparison(Document& document, const Run& run, const RelativeMotion& mo
   auto all = nlohmann::ordered_json::object();
   for (const ForceSource source :
        {ForceSource::forces, ForceSource::velocities, ForceSource::positions}) {
-    if (!motion.can_give(source)) {
-      document.left_out(fmt::format("force from {}", name(source)), "not in the dump");
-      continue;
-    }
+    if (!motion.can_give(source)) continue;
     const std::vector<double> force = interparticle_force(motion, source, run.units);
     double sum = 0;
     std::size_t n = 0;
@@ -59,20 +57,15 @@ void add_comparison(Document& document, const Run& run, const RelativeMotion& mo
   document.json("sources", std::move(all));
 }
 
-bool has_velocities(const Run& run) {
-  return run.first.has_column("vx") && run.first.has_column("vy") && run.first.has_column("vz");
-}
-
 /// Positions and velocities tell how the bodies turn.
-std::vector<std::unique_ptr<Analysis>> rotation_analysis(const Run& run) {
+std::vector<std::unique_ptr<Analysis>> rotation_analysis(const Plan& plan) {
   std::vector<std::unique_ptr<Analysis>> analyses;
-  if (has_velocities(run)) analyses.push_back(make_energy(""));
+  if (plan.has(Part::rotation)) analyses.push_back(make_energy(""));
   return analyses;
 }
 
 void tell_rotation(Document& document, const Run& run, const MeasuredMotion& measured,
                    const ForceCurve& curve, Table& table) {
-  if (!has_velocities(run)) return document.left_out("rotation", "the dump has no velocities");
   const EnergyCurve energy =
       energy_curve(measured.swept.tables[0], measured.swept.tables[1], run.units);
   add_rotation(document, energy, curve);
@@ -99,17 +92,23 @@ int run_command(const Values& values) {
   require_two_bodies(run);
   const bool compare = values["compare"].as<bool>();
   const ForceSource source = wanted ? *wanted : best_force_source(run);
+  PlanWishes wishes;
+  wishes.source = wanted;
+  Plan plan = plan_command(run, "force", wishes);
   const Radii radii = find_radii(run, options);
   const MeasuredMotion measured = measure_motion(run, parts(run, source, compare),
-                                                 rotation_analysis(run), sweeping);
+                                                 rotation_analysis(plan), sweeping);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
 
   Document document("force", run);
   document.sweep(measured.swept, run.format);
   add_force(document, curve, source, radii);
-  add_restitution(document, restitution(measured.motion, curve));
+  const Restitution e = restitution(measured.motion, curve);
+  plan.settle(e, curve.outcome);
+  add_plan(document, plan);
+  add_restitution(document, e);
   Table table = force_table(curve, measured.motion, measured.swept.tables[0]);
-  tell_rotation(document, run, measured, curve, table);
+  if (plan.has(Part::rotation)) tell_rotation(document, run, measured, curve, table);
   add_lost_atoms(document, measured.motion);
   warn_of_force(document, curve);
   if (compare) add_comparison(document, run, measured.motion, curve, source, table);

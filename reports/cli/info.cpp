@@ -10,6 +10,7 @@
 #include "readers/trajectory.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
+#include "reports/plan.hpp"
 #include "reports/thermo_summary.hpp"
 
 namespace mdana::cli {
@@ -90,41 +91,17 @@ void add_ability(Document& document, const std::string& what, const std::string&
   document.left_out(what, obstacle);
 }
 
-/// Aggregates have contacts of grains, and nothing that asks for a lattice or a potential.
-void add_aggregate_abilities(Document& document, const Run& run, std::string obstacle) {
-  if (obstacle.empty() && !run.first.has_column("radius") && !run.scene.grains.radius)
-    obstacle = "no column 'radius', and the scene does not state [grains] radius";
-  add_ability(document, "contact network", obstacle);
-  add_ability(document, "contact radius, Hertz fit, surface energy, lattice defects",
-              "the scene is of aggregates: they have no crystal lattice and no potential between atoms");
-}
-
-/// What each command can do with the dump, or why it cannot.
+/// The main things that commands can do with the dump, or why they cannot; mdana plan tells all.
 void add_abilities(Document& document, const Run& run) {
-  const auto add = [&](const std::string& what, const std::string& obstacle) {
-    add_ability(document, what, obstacle);
+  const auto add = [&](Part part, const std::string& how = {}) {
+    std::string why = run.scene.interaction == Interaction::unknown ? "" : not_needed(part, run);
+    if (why.empty()) why = obstacle(part, run);
+    add_ability(document, std::string(name(part)) + how, why);
   };
-  std::string bodies;
-  if (run.bodies.count() != 2)
-    bodies = fmt::format("needs two bodies, {} found by {}", run.bodies.count(), run.bodies.rule());
-  std::string force = bodies, how;
-  try {
-    how = " from " + std::string(name(best_force_source(run)));
-  } catch (const InputError& error) {
-    if (force.empty()) force = error.what();
-  }
-  add("force" + how, force);
-  std::string layer = bodies;
-  try {
-    half_layer(run, {});
-  } catch (const InputError& error) {
-    if (layer.empty()) layer = error.what();
-  }
-  const bool aggregate = run.scene.interaction == Interaction::aggregate;
-  if (aggregate) return add_aggregate_abilities(document, run, bodies);
-  add("contact radius", layer);
-  const bool adhesive = run.scene.interaction == Interaction::adhesive;
-  add("Hertz fit", force.empty() && adhesive ? "the scene is adhesive" : force);
+  const bool force = obstacle(Part::force, run).empty();
+  add(Part::force, force ? " from " + std::string(name(best_force_source(run))) : "");
+  if (run.scene.interaction == Interaction::aggregate) add(Part::network);
+  for (const Part part : {Part::contact_radius, Part::hertz_fit}) add(part);
 }
 
 void add_options(Options& options) {

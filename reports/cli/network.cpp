@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/cli/command.hpp"
+#include "reports/plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -103,6 +104,9 @@ int run_command(const Values& values) {
 
   Document document("network", run);
   document.sweep(measured.swept, run.format);
+  PlanWishes given;
+  given.grains = wanted.grains.radius.has_value();
+  add_plan(document, plan_command(run, "network", given));
   document.text("radius_source", radii.source);
   add_network(document, setup, measured);
   add_aggregate_constants(document, setup, wanted, coordination(measured.table));

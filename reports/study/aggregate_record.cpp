@@ -101,16 +101,16 @@ std::vector<double> column(const Table& table, const std::string& name) {
 }  // namespace
 
 RunRecord aggregate_record(const RunTask& task, const Run& run, const SweepOptions& sweeping) {
+  Plan plan = plan_run(run, plan_wishes(task));
   const CompressedRun measured = measure_compression(run, {}, sweeping);
   const Compressing c = compressing(measured, {});
   const Value& delta_max = c.by[static_cast<std::size_t>(study_split)].delta;
   Document document("report", run);
   document.sweep(measured.measured.swept, run.format);
+  settle(plan, measured);
+  add_plan(document, plan);
   add_compression(document, measured, study_split, {});
   add_degeneracy(document, c.impact, delta_max);
-  document.left_out("error against run time, numerical stability", "not measured for aggregates yet");
-  document.left_out("contact radius by layers, Hertz and JKR of the whole body, lattice defects",
-                    "an aggregate of grains is no solid sphere and has no lattice; mdana network tells of its contacts");
   RunRecord record;
   record.document = document.content();
   record.numbers = document.numbers();

@@ -36,6 +36,7 @@ FileHashes::FileHashes(const std::filesystem::path& place) : place_(place) {
 }
 
 InputRecord FileHashes::record(const std::filesystem::path& file) {
+  if (place_.empty()) return {file.string(), 0, {}};
   const std::string state = state_of(file), name = std::filesystem::absolute(file).string();
   const auto known = known_.find(name);
   if (!state.empty() && known != known_.end() && (*known)["state"] == state)

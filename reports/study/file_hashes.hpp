@@ -15,6 +15,8 @@ class FileHashes {
  public:
   /// What the file at `place` says; nothing if it is not there or not whole.
   explicit FileHashes(const std::filesystem::path& place);
+  /// No file is read: records have neither size nor hash.
+  FileHashes() = default;
 
   /// Throws InputError if the file cannot be opened.
   InputRecord record(const std::filesystem::path& file);

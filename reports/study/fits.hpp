@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "reports/compressed.hpp"
+#include "reports/plan.hpp"
 #include "reports/study.hpp"
 #include "reports/study/law_curves.hpp"
 #include "reports/study/reported.hpp"
 
 namespace mdana {
-
-/// What was not computed, and why.
-struct LeftOut {
-  std::string what, reason;
-};
 
 /// What runs say together.
 struct StudyFits {

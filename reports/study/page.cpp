@@ -235,6 +235,25 @@ std::string stability_section(const PageContent& content) {
   return text;
 }
 
+/// What the plans of the runs had computed: parts that several runs have alike stand once.
+std::string computed_table(const PageContent& content) {
+  std::map<std::vector<std::string>, std::string> runs;
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& section : content.sections) {
+    if (!section.run->measured()) continue;
+    for (const Json& part : section.run->document.value("computed", Json::array())) {
+      std::string columns;
+      for (const Json& column : part["columns"]) columns += (columns.empty() ? "" : " ") + column.get<std::string>();
+      const std::vector<std::string> row{part["what"], columns, part["reason"]};
+      std::string& names = runs[row];
+      if (names.empty()) rows.push_back(row);
+      names += (names.empty() ? "" : ", ") + section.run->name;
+    }
+  }
+  for (auto& row : rows) row.push_back(runs[row]);
+  return rows.empty() ? std::string() : paragraph("Computed:") + html::table({"what", "from columns", "because", "in runs"}, rows, 4);
+}
+
 std::string left_out_section(const PageContent& content) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& section : content.sections) {
@@ -246,7 +265,7 @@ std::string left_out_section(const PageContent& content) {
     for (const LeftOut& l : list) rows.push_back({"the study", l.what, l.reason});
   return heading(2, "What was left out and why", "left-out") +
          paragraph("Not read, not computed, because the scene does not need it or the dump does not hold it.") +
-         html::table({"run", "left out", "because"}, rows, 3);
+         html::table({"run", "left out", "because"}, rows, 3) + computed_table(content);
 }
 
 std::vector<std::string> run_names(const PageContent& content) {

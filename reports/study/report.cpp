@@ -126,21 +126,56 @@ const char* in_words(RunState state) {
   return "left out";
 }
 
+/// The working directory while it lives.
+class WorkingDirectory {
+ public:
+  explicit WorkingDirectory(const fs::path& directory) : before_(fs::current_path()) { fs::current_path(directory); }
+  ~WorkingDirectory() {
+    std::error_code ignored;
+    fs::current_path(before_, ignored);
+  }
+  WorkingDirectory(const WorkingDirectory&) = delete;
+  WorkingDirectory& operator=(const WorkingDirectory&) = delete;
+
+ private:
+  fs::path before_;
+};
+
+RunOutlook outlook_of(const StudyRun& run) {
+  RunOutlook outlook;
+  outlook.name = run.plan->name;
+  outlook.state = fmt::format("{}{}{}", in_words(run.state), run.why.empty() ? "" : ": ", run.why);
+  outlook.cached = run.done();
+  if (run.state == RunState::failed) return outlook;
+  outlook.options.dump = fs::absolute(run.task.dump);
+  outlook.options.scene = fs::absolute(run.task.scene);
+  outlook.wishes = plan_wishes(run.task);
+  outlook.wishes.modulus = !run.partners.empty();
+  outlook.frames = run.task.frames;
+  return outlook;
+}
+
 }  // namespace
 
-std::string planned_report(const ReportOptions& options) {
-  const fs::path place = without_slash(options.output);
+std::vector<RunOutlook> study_outlook(const ReportOptions& options) {
+  const bool results = !options.output.empty();
+  const fs::path place = results ? without_slash(options.output) : fs::path();
   const StudyPlan plan = read_study(options.input);
-  fs::current_path(plan.directory);
-  FileHashes hashes(place / "cache" / hashes_name);
+  const WorkingDirectory in_study(plan.directory);
+  FileHashes hashes = results ? FileHashes(place / "cache" / hashes_name) : FileHashes();
   std::vector<StudyRun> runs = open_runs(plan, options.only, hashes);
-  const RunCache cache(place / "cache");
+  if (results) settle(runs, RunCache(place / "cache"));
+  std::vector<RunOutlook> all;
+  for (const StudyRun& run : runs) all.push_back(outlook_of(run));
+  return all;
+}
+
+std::string planned_report(const ReportOptions& options) {
+  const std::vector<RunOutlook> runs = study_outlook(options);
   std::size_t width = 0;
-  for (const StudyRun& run : runs) width = std::max(width, run.plan->name.size());
+  for (const RunOutlook& run : runs) width = std::max(width, run.name.size());
   std::string text;
-  settle(runs, cache);
-  for (const StudyRun& run : runs)
-    text += fmt::format("{:<{}}  {}{}{}\n", run.plan->name, width, in_words(run.state), run.why.empty() ? "" : ": ", run.why);
+  for (const RunOutlook& run : runs) text += fmt::format("{:<{}}  {}\n", run.name, width, run.state);
   return text;
 }
 

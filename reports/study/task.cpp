@@ -48,37 +48,14 @@ Overlay constants_of(const SphereRun& entry, const std::optional<Companion>& com
   return overlay;
 }
 
-/// Hertz over its own fit; JKR where E*, R and gamma are known.
+/// Hertz over its own fit; JKR where it is planned.
 void choose_overlay(SphereRun& entry, const Overlay& constants, Document& document) {
   const bool adhesive = entry.run.scene.interaction == Interaction::adhesive;
-  const bool no_gamma = adhesive && !(constants.contact.surface_energy > 0);
-  if (constants.law && constants.contact.modulus > 0 && !no_gamma)
+  if (adhesive ? entry.result.plan.has(Part::jkr) : constants.law && constants.contact.modulus > 0)
     entry.overlay = constants;
-  else
-    document.left_out(adhesive ? "JKR overlay" : "Hertz overlay",
-                      !constants.law ? "this build has no such law"
-                      : no_gamma     ? "the scene states no surface energy"
-                                     : "no Hertz run with the same radius gives E* and R");
-}
-
-void list_left_out(const SphereRun& entry, Document& document) {
-  switch (entry.run.scene.interaction) {
-    case Interaction::hertz:
-      document.left_out("adhesion (JKR, surface energy)", "the scene has no attraction between bodies");
-      break;
-    case Interaction::adhesive:
-      document.left_out("Hertz fit", "the scene is adhesive: Hertz's law has no adhesion");
-      break;
-    case Interaction::aggregate:  // has a record of its own
-    case Interaction::unknown:
-      document.left_out("Hertz fit, overlays", "the scene does not state a hertz or adhesive interaction");
-  }
-  for (const ForceSource other : {ForceSource::forces, ForceSource::velocities, ForceSource::positions})
-    if (other > entry.result.source)
-      document.left_out(fmt::format("force from {}", name(other)),
-                        fmt::format("the dump has {}, which are better", name(entry.result.source)));
-    else if (other < entry.result.source)
-      document.left_out(fmt::format("force from {}", name(other)), "not in the dump");
+  else if (!adhesive)
+    document.left_out("Hertz overlay", constants.law ? "neither this run nor a Hertz run with the same radius gives E* and R"
+                                                     : "this build has no such law");
 }
 
 #ifdef MDANA_WITH_DEFECTS
@@ -145,15 +122,15 @@ void add_drawn_columns(Table& table, const SphereRun& entry) {
 }
 
 RunWishes wishes_of(const RunTask& task, const Run& run) {
+  const bool known = task.companion && task.companion->units == name(run.units);
+  PlanWishes asked = plan_wishes(task);
+  asked.modulus = known;
   RunWishes wishes;
-  if (task.companion && task.companion->units == name(run.units)) {
-    const Value& r = task.companion->radius;
-    wishes.radii = Radii{{r.value, r.value}, fmt::format("Hertz fit of run {}", task.companion->name), 2 * r.error.value_or(0)};
-  }
-  wishes.potential.log = task.log;
-  wishes.hertz = run.scene.interaction == Interaction::hertz;
-  wishes.energies = true;
-  wishes.defects = task.defects;
+  wishes.plan = plan_run(run, asked);
+  wishes.potential = asked.potential;
+  if (!known) return wishes;
+  const Value& r = task.companion->radius;
+  wishes.radii = Radii{{r.value, r.value}, fmt::format("Hertz fit of run {}", task.companion->name), 2 * r.error.value_or(0)};
   return wishes;
 }
 
@@ -171,7 +148,6 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
                                 {"gamma", constants.contact.surface_energy},
                                 {"source", constants.source}});
   choose_overlay(entry, constants, document);
-  list_left_out(entry, document);
   add_drawn_columns(record.tables[0].table, entry);
   if (entry.result.hertz) {
     add_hertz(document, run, *entry.result.hertz);
@@ -180,8 +156,8 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
   if (entry.result.defects) add_defects_to(record, *entry.result.defects, document);
   if (entry.overlay)
     document.json("overlay", {{"law", entry.overlay->law->name}, {"source", entry.overlay->source}});
-  if (task.accuracy) entry.accuracy = accuracy_rows(run, entry.result, sweeping);
-  if (task.stability) entry.stability = stability_rows(run, entry.result, sweeping);
+  if (entry.result.plan.has(Part::accuracy)) entry.accuracy = accuracy_rows(run, entry.result, sweeping);
+  if (entry.result.plan.has(Part::stability)) entry.stability = stability_rows(run, entry.result, sweeping);
   document.json("accuracy", accuracy_json(entry.accuracy));
   document.json("stability", stability_json(entry.stability));
   record.document = document.content();
@@ -193,6 +169,16 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
 }
 
 }  // namespace
+
+PlanWishes plan_wishes(const RunTask& task) {
+  PlanWishes wishes;
+  wishes.parts = parts_of("report").value();
+  wishes.structure = task.defects;
+  wishes.accuracy = task.accuracy;
+  wishes.stability = task.stability;
+  wishes.potential.log = task.log;
+  return wishes;
+}
 
 RunRecord analyse_task(const RunTask& task, const SweepOptions& sweeping) {
   RunOptions options;

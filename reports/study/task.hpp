@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "reports/plan.hpp"
 #include "reports/study.hpp"
 #include "reports/study/cache.hpp"
 #include "readers/input_record.hpp"
@@ -26,6 +27,9 @@ struct RunTask {
   std::optional<Companion> companion;
   std::vector<InputRecord> files;          ///< of scene, dump and log
 };
+
+/// What a report asks of such a run, before E* is known.
+PlanWishes plan_wishes(const RunTask& task);
 
 /// The same as a document: equal for equal results.
 nlohmann::ordered_json key_of(const RunTask& task);

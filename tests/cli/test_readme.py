@@ -23,7 +23,8 @@ def output(mdana, command):
 
 
 def without_times(text):
-    return re.sub(r"in \d+\.\d+ s", "in SECONDS s", text)
+    text = re.sub(r" *\d+(\.\d+)? (ms|s)\b(?!\^)", " SECONDS", text)
+    return re.sub(r" *\d+ MB\b", " MEMORY", text)
 
 
 def main(mdana, update):

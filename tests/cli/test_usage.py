@@ -12,6 +12,7 @@ SWEEP = ["--stride"]
 OPTIONS = {
     "info": RUN,
     "check": ["--limit", "--threads", "--memory", "--json", "--output", "-o", "--help"],
+    "plan": RUN + SWEEP + ["--for", "--report", "--only", "--modulus", "--log"],
     "force": RUN + SWEEP + ["--source"],
     "contact-radius": RUN + SWEEP + ["--layer", "--spacing", "--neighbour-cutoff", "--modulus", "--surface-energy"],
     "collision": RUN + SWEEP + ["--layer", "--spacing", "--modulus", "--potential", "--log"],
