@@ -48,6 +48,13 @@ double missed_above(const std::vector<double>& series) {
   return curvature > 0 ? slope * (slope / curvature) : 0;
 }
 
+/// What it may have missed of the minimum up to a frame.
+double missed_below(const std::vector<double>& series, std::size_t last) {
+  std::vector<double> turned;
+  for (std::size_t i = 0; i <= last; ++i) turned.push_back(-series[i]);
+  return missed_above(turned);
+}
+
 /// Integral of the repulsive part of the force over time.
 double repulsive_impulse(const ForceCurve& curve, const std::vector<double>& times) {
   double impulse = 0;
@@ -199,9 +206,19 @@ double kinetic_noise(const RelativeMotion& motion, Units units, const ForceCurve
          noise_of(curve.speed);
 }
 
+/// By how much noise shifts the extreme of values up to a frame: of n that it does not tell apart (within two
+/// standard deviations) the greatest is sqrt(2 ln n) standard deviations off.
+double extreme_noise(const std::vector<double>& series, std::size_t last, double extreme, double noise) {
+  const auto near = std::count_if(series.begin(), series.begin() + static_cast<long>(last) + 1,
+                                  [&](double value) { return std::abs(value - extreme) <= 2 * noise; });
+  return noise * std::max(1.0, std::sqrt(2 * std::log(static_cast<double>(std::max<long>(near, 1)))));
+}
+
 void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
-  add(curve.force_max, noise);
-  add(curve.force_min_loading, noise);
+  const std::size_t end = curve.force.size() - 1, turn = curve.cycles.empty() ? end : curve.cycles[0].turn;
+  add(curve.force_max, extreme_noise(curve.force, end, curve.force_max.value, noise));
+  add(curve.force_min_loading, extreme_noise(curve.force, turn, curve.force_min_loading.value, noise));
+  add(curve.delta_max, extreme_noise(curve.delta, end, curve.delta_max.value, motion.position_noise));
   if (curve.cycles.empty()) return;
   const double kinetic = kinetic_noise(motion, units, curve);
   const auto add_to = [&](Loop& loop, std::size_t first, std::size_t last) {
@@ -267,13 +284,14 @@ std::string_view name(Outcome outcome) {
 }
 
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
-                       double radius_sum) {
-  const ForceSeries series = force_series(motion, source, units);
+                       double radius_sum, int window) {
+  const ForceSeries series = force_series(motion, source, units, window);
   ForceCurve curve = measure(motion, source, units, radius_sum, series.window);
   for (std::size_t i = 0; i < curve.force.size(); ++i) curve.force_error.push_back(series.error(i));
   if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
   curve.coarse = is_coarse(series);
   widen(curve.force_max, missed_above(curve.force));
+  widen(curve.force_min_loading, missed_below(curve.force, curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn));
   widen(curve.delta_max, missed_above(curve.delta));
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
     const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum,

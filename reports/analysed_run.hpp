@@ -22,6 +22,7 @@ struct RunWishes {
   ContactOptions contact;
   PotentialOptions potential;
   bool hertz = false;     ///< Hertz fit
+  HertzSettings hertz_settings = {};
   bool energies = false;  ///< and how far the far sides reach; if the dump has velocities
   bool defects = false;   ///< crystal structure of every frame, if this build has it
 };
