@@ -120,8 +120,10 @@ void add_rows(const std::vector<Rung>& rungs, const AccuracySubject& subject, co
     if (const JudgedNumber* number = number_of(rung, judged.name)) row.stated = number->stated();
     ladder.rows.push_back(std::move(row));
   }
+  const bool known = subject.exact.contains(judged.name);
+  if (ladder.knob.reference != Reference::finest && !known) return;  // a change from a default has no order
   // The finest value's error follows from those of the next two, unless the number is known.
-  const std::size_t free = subject.exact.contains(judged.name) || ladder.knob.draws > 1 ? 1 : 2;
+  const std::size_t free = known || ladder.knob.draws > 1 ? 1 : 2;
   for (std::size_t k = first + free; k < ladder.rows.size(); ++k) {
     const AccuracyRow &finer = ladder.rows[k - 1], &row = ladder.rows[k];
     ladder.rows[k].order = std::log(row.error / finer.error) / std::log(row.number / finer.number);

@@ -31,7 +31,7 @@ void add_numbers(Table& table, const char* name, std::span<const AccuracyRow> ro
 }
 
 std::string curve_of(const AccuracyRow& row) {
-  return fmt::format("{}{}{}: {}, {}", row.input, row.input.empty() ? "" : ", ", row.subject, row.knob, row.quantity);
+  return fmt::format("{}{}{}: {}: {}", row.input, row.input.empty() ? "" : ": ", row.subject, row.knob, row.quantity);
 }
 
 }  // namespace
