@@ -214,11 +214,15 @@ double extreme_noise(const std::vector<double>& series, std::size_t last, double
   return noise * std::max(1.0, std::sqrt(2 * std::log(static_cast<double>(std::max<long>(near, 1)))));
 }
 
-void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
+void add_noise_of_extremes(const RelativeMotion& motion, const ForceSeries& series, ForceCurve& curve) {
+  const double force = std::max(series.noise, series.scatter), length = std::max(motion.position_noise, noise_of(curve.distance));
   const std::size_t end = curve.force.size() - 1, turn = curve.cycles.empty() ? end : curve.cycles[0].turn;
-  add(curve.force_max, extreme_noise(curve.force, end, curve.force_max.value, noise));
-  add(curve.force_min_loading, extreme_noise(curve.force, turn, curve.force_min_loading.value, noise));
-  add(curve.delta_max, extreme_noise(curve.delta, end, curve.delta_max.value, motion.position_noise));
+  add(curve.force_max, extreme_noise(curve.force, end, curve.force_max.value, force));
+  add(curve.force_min_loading, extreme_noise(curve.force, turn, curve.force_min_loading.value, force));
+  add(curve.delta_max, extreme_noise(curve.delta, end, curve.delta_max.value, length));
+}
+
+void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
   if (curve.cycles.empty()) return;
   const double kinetic = kinetic_noise(motion, units, curve);
   const auto add_to = [&](Loop& loop, std::size_t first, std::size_t last) {
@@ -301,6 +305,7 @@ ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units u
     widen(curve.delta_max, coarse.delta_max);
     widen_losses(coarse, first, curve);
   }
+  add_noise_of_extremes(motion, series, curve);
   add_noise(motion, units, series.noise, curve);
   if (curve.loops.empty()) return curve;
   curve.hysteresis_area = curve.loops[0].area;

@@ -12,11 +12,15 @@ using Json = nlohmann::ordered_json;
 
 std::string part(double error) { return std::isnan(error) ? "not known" : error == 0 ? "0" : fmt::format("{:.1e}", error); }
 
-/// The row with the greatest error at a value of the knob; null if the value was not measured.
+/// The row with the greatest error at a value of the knob, of equal ones that with the greatest stated one; null if
+/// the value was not measured.
 const AccuracyRow* worst_row(const Ladder& ladder, const std::string& setting) {
+  const auto size = [](const AccuracyRow& row) {
+    return std::pair(std::isnan(row.error) ? -1 : row.error, std::isnan(row.stated) ? -1 : row.stated);
+  };
   const AccuracyRow* worst = nullptr;
   for (const AccuracyRow& row : ladder.rows)
-    if (row.setting == setting && (!worst || row.error > worst->error || std::isnan(worst->error))) worst = &row;
+    if (row.setting == setting && (!worst || size(row) > size(*worst))) worst = &row;
   return worst;
 }
 

@@ -6,6 +6,7 @@
 #include "fits/contact_fit.hpp"
 #include "reports/accuracy.hpp"
 #include "reports/analysed_run.hpp"
+#include "reports/compressed.hpp"
 #include "reports/run.hpp"
 
 namespace mdana {
@@ -19,6 +20,8 @@ struct DumpQuestion {
   PotentialOptions potential = {};
   std::optional<ForceSource> source = {};  ///< default: the best
   HertzSettings hertz = {};
+  Split split = Split::sign;               ///< of aggregates
+  SurfaceOffset offset = {};
 };
 
 /// The analyses of a dump of two bodies with their knobs. Each judges the numbers that its command publishes;

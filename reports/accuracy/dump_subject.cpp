@@ -39,7 +39,7 @@ DumpKnob threads_knob() {
 }
 
 DumpKnob memory_knob() {
-  const auto text = [](std::size_t n) { return KnobValue{fmt::format("{}K", n >> 10), static_cast<double>(n)}; };
+  const auto text = [](std::size_t n) { return KnobValue{n >> 20 ? fmt::format("{}M", n >> 20) : fmt::format("{}K", n >> 10), static_cast<double>(n)}; };
   return {{"memory", "memory for atoms that are looked at twice", Reference::bits, 0, values_of(memories, text)},
           [](Measuring& m, std::size_t k) { m.sweeping.memory = memories[k]; }};
 }
@@ -93,6 +93,7 @@ AccuracySubject dump_subject(std::string name, const DumpQuestion& question, std
     Measuring measuring{question.sweeping, ForceSource::positions, 0, question.contact};
     measuring.source = question.source ? *question.source : best_force_source(question.run);
     measuring.hertz = question.hertz;
+    measuring.split = question.split;
     for (const DumpKnob& k : knobs)
       if (const auto at = choice.values.find(k.knob.name); at != choice.values.end()) k.set(measuring, at->second);
     return measure(question, measuring);

@@ -17,7 +17,7 @@ struct Measuring {
   ContactOptions contact = {};
   std::string definition = "gyration";  ///< of the contact radius
   HertzSettings hertz = {};
-  bool membership = false;             ///< atoms of an aggregate count for the body that they belonged to
+  Split split = Split::sign;
   bool by_cgal = false, everywhere = false;  ///< how defects and their lines are looked for
 };
 

@@ -84,6 +84,7 @@ AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<Observe
   subject.measure = [&law, seen = std::move(seen), settings](const KnobChoice& choice) {
     ContactFitSettings s = settings;
     const bool bootstrap = choice.values.contains("bootstrap");
+    s.intervals = {};
     if (choice.values.contains("starts")) s.starts = starts[choice.of("starts")];
     if (choice.values.contains("loss")) s.loss = losses[choice.of("loss")];
     if (bootstrap) s.intervals.draws = bootstrap_draws[choice.of("bootstrap")];

@@ -9,7 +9,6 @@
 #include "analyses/restitution.hpp"
 #include "readers/input_error.hpp"
 #include "reports/accuracy/dump_subject.hpp"
-#include "reports/compressed.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured_energy.hpp"
 
@@ -108,8 +107,8 @@ std::vector<JudgedNumber> energy_numbers(const DumpQuestion& q, const Measuring&
 
 std::vector<JudgedNumber> compression_numbers(const DumpQuestion& q, const Measuring& m) {
   const CompressedRun run = measure_compression(q.run, q.options, m.sweeping);
-  const Compressing c = compressing(run, {});
-  const MaximumCompression& most = c.by[m.membership ? 1 : 0];
+  const Compressing c = compressing(run, q.offset);
+  const MaximumCompression& most = c.by[static_cast<std::size_t>(m.split)];
   return {{"delta_max", most.delta}, {"t_max", most.time}};
 }
 
@@ -131,7 +130,7 @@ AccuracySubject energy_subject(const DumpQuestion& question) {
 AccuracySubject compress_subject(const DumpQuestion& question) {
   const auto split = choice_knob("split", "what an atom counts for: its side or its body", split_names,
                                  [](std::size_t k) { return split_names[k]; },
-                                 [](Measuring& m, std::size_t k) { m.membership = k == 1; });
+                                 [](Measuring& m, std::size_t k) { m.split = static_cast<Split>(k); });
   return dump_subject("compress", question, together(sweep_knobs(), {split}), compression_numbers);
 }
 

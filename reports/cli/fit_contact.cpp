@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "readers/input_error.hpp"
 #include "reports/accuracy_subjects.hpp"
 #include "reports/cli/contact_options.hpp"
 #include "reports/cli/error_option.hpp"
@@ -128,14 +129,16 @@ void add_options(Options& options) {
   add_contact_fit_options(options);
 }
 
-/// With --error: as many starts as it needs.
-std::optional<Recommendation> choose_starts(const Values& values, const AccuracySubject& subject, ContactFitSettings& settings) {
+/// With --error: as many starts as it needs, which are set. Nothing if no fit is usable.
+std::optional<Recommendation> choose_starts(const Values& values, const AccuracySubject& subject, ContactFitSettings& settings) try {
   const std::optional<double> wanted = wanted_error(values);
   if (!wanted) return std::nullopt;
   const Knob& knob = subject.knob("starts");
   const Recommendation chosen = choose(subject, knob, *wanted);
   settings.starts = static_cast<int>(std::lround(1 / knob.values[chosen.choice.of("starts")].number));
   return chosen;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 int run_command(const Values& values) {

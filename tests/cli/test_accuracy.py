@@ -155,6 +155,23 @@ class Samples(Case):
         self.assertTrue(self.document("contact-radius", HERTZ, "--error", "1")["accuracy"]["met"])
         self.assertTrue(self.document("energy", HERTZ, "--error", "1")["accuracy"]["met"])
 
+    def test_aggregates(self):
+        grains = SAMPLE.parents[1] / "aggregate-tiny" / "dump.lammpstrj.gz"
+        document = self.document("accuracy", grains, "--knob", "split,stride", "--repeat", "1")
+        self.assertEqual(set(rows_of(document, "compress", "split")), {"delta_max", "t_max"})
+        loose, fine = self.document("compress", grains, "--error", "0.2"), self.document("compress", grains)
+        self.assertTrue(loose["accuracy"]["met"])
+        self.assertLess(loose["frames"], fine["frames"])
+        for name in ("delta_max", "t_max"):
+            self.assertLessEqual(abs(loose[name]["value"] / fine[name]["value"] - 1), 0.2)
+        self.mdana("compress", grains, grains, "--error", "0.2", code=2)
+
+    def test_searches_of_defects_give_the_same(self):
+        document = self.document("accuracy", SAMPLE, "--only", "defects", "--knob", "neighbours,zone", "--frames", "::8", "--repeat", "1")
+        for knob in ("neighbours", "zone"):
+            for name, rows in rows_of(document, "defects", knob).items():
+                self.assertEqual([r["error"] for r in rows], [0.0, 0.0], name)
+
     def test_refusals(self):
         for arguments in (["accuracy"], ["accuracy", SAMPLE, "--repeat", "0"], ["accuracy", SAMPLE, "--error", "0"],
                           ["accuracy", SAMPLE, "--law", "magic"], ["force", SAMPLE, "--error", "-1"],
