@@ -122,7 +122,7 @@ const Command selfcheck_command{
     "known answers of all formats, analyses and laws of this build",
     "Every format, analysis and law has cases with answers in closed form: digits of each that this build keeps on\n"
     "this machine, and seconds. Fails if one keeps fewer digits than it should.",
-    "  mdana selfcheck\n"
+    "  mdana selfcheck -o selfcheck.json\n"
     "  mdana selfcheck --json -o selfcheck.csv",
     add_options,
     run_command};
