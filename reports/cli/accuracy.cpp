@@ -49,6 +49,7 @@ class Told {
         subjects.push_back(told_of_subject(judged_by(subject, wishes_.judged), input.name));
       } catch (const InputError& error) {
         left_out(subject.name, error.what());
+        failure_ = error.what();
       }
     inputs_.push_back({{"input", input.name}, {"subjects", std::move(subjects)}});
   }
@@ -57,7 +58,8 @@ class Told {
   Document& document() { return document_; }
 
   int emit(const Values& values) {
-    if (rows_.empty()) throw InputError("nothing could be measured: no analysis or knob of that name applies");
+    if (rows_.empty())
+      throw InputError("nothing could be measured: " + (failure_.empty() ? "no analysis or knob of that name applies" : failure_));
     document_.json("results", std::move(inputs_));
     const Table table = accuracy_table(rows_);
     const int code = cli::emit(values, document_, &table);
@@ -98,6 +100,7 @@ class Told {
   Document document_{"accuracy"};
   Json inputs_ = Json::array();
   std::vector<AccuracyRow> rows_;
+  std::string failure_;  ///< of the last subject that could not be measured
   bool met_ = true;
 };
 
