@@ -48,6 +48,13 @@ double missed_above(const std::vector<double>& series) {
   return curvature > 0 ? slope * (slope / curvature) : 0;
 }
 
+/// What it may have missed of the minimum up to a frame.
+double missed_below(const std::vector<double>& series, std::size_t last) {
+  std::vector<double> turned;
+  for (std::size_t i = 0; i <= last; ++i) turned.push_back(-series[i]);
+  return missed_above(turned);
+}
+
 /// Integral of the repulsive part of the force over time.
 double repulsive_impulse(const ForceCurve& curve, const std::vector<double>& times) {
   double impulse = 0;
@@ -199,10 +206,23 @@ double kinetic_noise(const RelativeMotion& motion, Units units, const ForceCurve
          noise_of(curve.speed);
 }
 
+/// By how much noise shifts the extreme of values up to a frame: of n that it does not tell apart (within two
+/// standard deviations) the greatest is sqrt(2 ln n) standard deviations off.
+double extreme_noise(const std::vector<double>& series, std::size_t last, double extreme, double noise) {
+  const auto near = std::count_if(series.begin(), series.begin() + static_cast<long>(last) + 1,
+                                  [&](double value) { return std::abs(value - extreme) <= 2 * noise; });
+  return noise * std::max(1.0, std::sqrt(2 * std::log(static_cast<double>(std::max<long>(near, 1)))));
+}
+
+void add_noise_of_extremes(const RelativeMotion& motion, const ForceSeries& series, ForceCurve& curve) {
+  const double force = std::max(series.noise, series.scatter), length = std::max(motion.position_noise, noise_of(curve.distance));
+  const std::size_t end = curve.force.size() - 1, turn = curve.cycles.empty() ? end : curve.cycles[0].turn;
+  add(curve.force_max, extreme_noise(curve.force, end, curve.force_max.value, force));
+  add(curve.force_min_loading, extreme_noise(curve.force, turn, curve.force_min_loading.value, force));
+  add(curve.delta_max, extreme_noise(curve.delta, end, curve.delta_max.value, length));
+}
+
 void add_noise(const RelativeMotion& motion, Units units, double noise, ForceCurve& curve) {
-  add(curve.force_max, noise);
-  add(curve.force_min_loading, noise);
-  add(curve.delta_max, noise_of(curve.delta));
   if (curve.cycles.empty()) return;
   const double kinetic = kinetic_noise(motion, units, curve);
   const auto add_to = [&](Loop& loop, std::size_t first, std::size_t last) {
@@ -268,13 +288,14 @@ std::string_view name(Outcome outcome) {
 }
 
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
-                       double radius_sum) {
-  const ForceSeries series = force_series(motion, source, units);
+                       double radius_sum, int window) {
+  const ForceSeries series = force_series(motion, source, units, window);
   ForceCurve curve = measure(motion, source, units, radius_sum, series.window);
   for (std::size_t i = 0; i < curve.force.size(); ++i) curve.force_error.push_back(series.error(i));
   if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
   curve.coarse = is_coarse(series);
   widen(curve.force_max, missed_above(curve.force));
+  widen(curve.force_min_loading, missed_below(curve.force, curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn));
   widen(curve.delta_max, missed_above(curve.delta));
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
     const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum,
@@ -284,6 +305,7 @@ ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units u
     widen(curve.delta_max, coarse.delta_max);
     widen_losses(coarse, first, curve);
   }
+  add_noise_of_extremes(motion, series, curve);
   add_noise(motion, units, series.noise, curve);
   if (curve.loops.empty()) return curve;
   curve.hysteresis_area = curve.loops[0].area;

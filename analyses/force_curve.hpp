@@ -43,9 +43,10 @@ struct Loop {
 };
 
 /// Force against mutual approach, and what is read off it. Errors are the largest difference to the
-/// same number from every second frame (even ones, odd ones), for maxima at least twice the rise of a
-/// parabola above the greatest sample, for loop areas at least what unresolved sampling leaves (see
-/// analyses/loop_loss.hpp), and together with that the noise of the force.
+/// same number from every second frame (even ones, odd ones), for maxima and minima at least twice the rise of a
+/// parabola beyond the extreme sample, for loop areas at least what unresolved sampling leaves (see
+/// analyses/loop_loss.hpp), and together with that the noise of the force or
+/// of the distance, of an extreme sqrt(2 ln n) times, where noise does not tell n samples apart.
 struct ForceCurve {
   std::vector<double> distance;  ///< X [length]
   std::vector<double> delta;     ///< R1 + R2 - X [length]
@@ -79,9 +80,9 @@ struct ForceCurve {
 bool energies_disagree(const ForceCurve& curve);
 
 /// Reads phases, turning points, outcome and loop area off the motion.
-/// `radius_sum` is R1 + R2. Throws InputError as interparticle_force does.
+/// `radius_sum` is R1 + R2, `window` as in force_series. Throws InputError as interparticle_force does.
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
-                       double radius_sum);
+                       double radius_sum, int window = 0);
 
 /// Columns step, [time,] X, delta, [v,] F, F_error, phase, lost (atoms), and the bodies' centres of mass x1 y1 z1 x2 y2 z2 and
 /// velocities vx1 ... of the motion table, as far as they were measured: a row a frame.

@@ -11,6 +11,7 @@ namespace {
 using Series = std::vector<double>;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t least_for_noise = 32;  ///< samples
 constexpr double strong = 0.05;  ///< of the largest force: frames that count for what is chosen
 
 double largest_magnitude(const Series& series) {
@@ -75,14 +76,18 @@ bool is_explained(const Candidate& longer, const std::vector<Candidate>& shorter
   });
 }
 
-Candidate best_window(const RelativeMotion& motion, ForceSource source, Units units) {
+Candidate best_window(const RelativeMotion& motion, ForceSource source, Units units, int given) {
   const double noise =
       source == ForceSource::velocities ? motion.velocity_noise : motion.position_noise;
+  const auto candidate = [&](int window) {
+    return Candidate{window, interparticle_force(motion, source, units, window),
+                     noise * noise_gain(motion, source, units, window)};
+  };
+  if (given > 0) return candidate(given);
   std::vector<Candidate> candidates;
   for (const int window : derivative_windows) {
     if (!candidates.empty() && window > motion.frames() / 2) break;
-    Candidate next{window, interparticle_force(motion, source, units, window),
-                   noise * noise_gain(motion, source, units, window)};
+    Candidate next = candidate(window);
     if (!candidates.empty() && !is_explained(next, candidates)) break;
     candidates.push_back(std::move(next));
   }
@@ -127,11 +132,11 @@ double noise_by_differences(Series series, int order) {
 }  // namespace
 
 double ForceSeries::error(std::size_t i) const {
-  if (window == 0) return noise;
-  return truncation.empty() ? not_known : std::hypot(truncation[i], noise);
+  if (window == 0) return value.size() < least_for_noise ? not_known : noise;
+  return truncation.empty() ? not_known : std::hypot(truncation[i], std::max(noise, scatter));
 }
 
-ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units) {
+ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units, int window) {
   ForceSeries series;
   if (source == ForceSource::forces) {
     series.value = interparticle_force(motion, source, units);
@@ -139,16 +144,17 @@ ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units
     return series;
   }
   interparticle_force(motion, source, units);  // throws if the source is not there
-  Candidate best = best_window(motion, source, units);
+  Candidate best = best_window(motion, source, units, window);
   series.value = std::move(best.force);
   series.noise = best.noise;
+  series.scatter = noise_of(series.value);
   series.window = best.window;
   find_truncation(motion, source, units, series);
   return series;
 }
 
 double noise_of(const std::vector<double>& series) {
-  if (series.size() < 32) return 0;
+  if (series.size() < least_for_noise) return 0;
   return std::min({noise_by_differences(series, 4), noise_by_differences(series, 8),
                    noise_by_differences(series, 12)});
 }

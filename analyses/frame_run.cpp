@@ -180,6 +180,8 @@ class FrameRun::Rounds {
     mdana::convert(*place.cut, place.block);
     if (plan_.last_digit_seed)
       move_last_digits(*place.cut, *header_, plan_.wanted, *plan_.last_digit_seed, place.block);
+    if (plan_.dropped_digits > 0)
+      drop_digits(*place.cut, *header_, plan_.wanted, plan_.dropped_digits, place.block);
   }
 
   void analyse(Place& place, const FrameContext& context, const std::vector<Member>& members) {

@@ -42,6 +42,7 @@ struct FramePlan {
   std::size_t frame_memory = 0;       ///< bytes for them; larger frames are done in parts
   std::size_t memory = 0;             ///< bytes for blocks kept between two rounds
   std::optional<std::uint64_t> last_digit_seed;
+  int dropped_digits = 0;
   const std::atomic<int>* stop = nullptr;
 };
 

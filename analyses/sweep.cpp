@@ -274,6 +274,7 @@ SweepResult sweep(const std::filesystem::path& dump, const Bodies& bodies, const
   plan.memory = options.memory;
   plan.frame_memory = options.frame_memory.value_or(free_memory() / 2);
   plan.last_digit_seed = options.last_digit_seed;
+  plan.dropped_digits = options.dropped_digits;
   plan.stop = options.stop;
   return Sweep(dump, plan, options).run();
 }

@@ -38,6 +38,7 @@ struct SweepOptions {
   /// Moves every converted real number at random within its last printed digit (see
   /// readers/last_digit.hpp); the number is the seed.
   std::optional<std::uint64_t> last_digit_seed;
+  int dropped_digits = 0;  ///< rounds every converted real number to so many decimal digits fewer
   const std::atomic<int>* stop = nullptr;  ///< set to a signal number to stop
   std::function<void(const Progress&)> progress;  ///< called after each frame
 };

@@ -36,23 +36,29 @@ double last_digit_unit(double value, const PrintedPrecision& printed) {
   return std::pow(10.0, std::floor(std::log10(std::abs(value))) - printed.digits + 1);
 }
 
-/// The random moves of one column of a chunk.
-class Moves {
- public:
-  Moves(const Chunk& chunk, std::int64_t step, std::uint64_t seed, std::string_view column)
-      : printed_(chunk.layout->printed_precision(chunk, column)),
-        start_(mix(mix(mix(seed) ^ static_cast<std::uint64_t>(step)) ^ hash(column)) +
-               chunk.number * AtomBlock::capacity) {}
+/// The move of an atom's value as it is printed.
+using Move = std::function<double(std::size_t atom, double value)>;
+using MoveOfColumn = std::function<Move(const std::string& column)>;
 
-  double operator()(std::size_t atom, double value) const {
-    if (printed_.digits == 0) return 0.0;
-    return uniform(mix(start_ + atom)) * last_digit_unit(value, printed_);
-  }
+/// At random within the last printed digit.
+Move random_move(const Chunk& chunk, std::int64_t step, std::uint64_t seed, std::string_view column) {
+  const PrintedPrecision printed = chunk.layout->printed_precision(chunk, column);
+  const std::uint64_t start = mix(mix(mix(seed) ^ static_cast<std::uint64_t>(step)) ^ hash(column)) +
+                              chunk.number * AtomBlock::capacity;
+  return [=](std::size_t atom, double value) {
+    return printed.digits == 0 ? 0.0 : uniform(mix(start + atom)) * last_digit_unit(value, printed);
+  };
+}
 
- private:
-  PrintedPrecision printed_;
-  std::uint64_t start_;
-};
+/// To the nearest number with fewer digits. Numbers that are no decimal text count as of 17 digits.
+Move rounding_move(const Chunk& chunk, int dropped, std::string_view column) {
+  PrintedPrecision printed = chunk.layout->printed_precision(chunk, column);
+  if (printed.digits == 0) printed = {17, 0, false};
+  return [=](std::size_t, double value) {
+    const double unit = last_digit_unit(value, printed) * std::pow(10.0, dropped);
+    return unit > 0 ? std::nearbyint(value / unit) * unit - value : 0.0;
+  };
+}
 
 Eigen::Vector3d image_of(const AtomBlock& block, std::size_t i) {
   return {static_cast<double>(block.integer("ix")[i]), static_cast<double>(block.integer("iy")[i]),
@@ -60,8 +66,8 @@ Eigen::Vector3d image_of(const AtomBlock& block, std::size_t i) {
 }
 
 void move_positions(const PositionSource& positions, const Box& box, AtomBlock& block,
-                    const std::function<Moves(const std::string&)>& moves_of) {
-  const std::array<Moves, 3> moves{moves_of(positions.columns[0]), moves_of(positions.columns[1]),
+                    const MoveOfColumn& moves_of) {
+  const std::array<Move, 3> moves{moves_of(positions.columns[0]), moves_of(positions.columns[1]),
                                    moves_of(positions.columns[2])};
   const auto x = block.make_real("x"), y = block.make_real("y"), z = block.make_real("z");
   std::array<std::span<const double>, 3> raw{x, y, z};
@@ -81,26 +87,32 @@ void move_positions(const PositionSource& positions, const Box& box, AtomBlock& 
   }
 }
 
-}  // namespace
-
-void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
-                      std::uint64_t seed, AtomBlock& block) {
-  const auto moves_of = [&](const std::string& column) {
-    return Moves(chunk, header.step, seed, column);
-  };
+void move_columns(const FrameHeader& header, const ColumnSet& wanted, const MoveOfColumn& moves_of, AtomBlock& block) {
   const auto positions = position_source(header.columns);
   if (wanted.has("x") && positions) move_positions(*positions, header.box, block, moves_of);
   for (const std::string& column : wanted.names()) {
     const bool position = column == "x" || column == "y" || column == "z";
     if (position || column == "mass" || kind_of_column(column) != ColumnKind::real)
       continue;
-    const Moves moves = moves_of(column);
+    const Move move = moves_of(column);
     const auto values = block.make_real(column);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += moves(i, values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += move(i, values[i]);
   }
 }
 
-double rounding_of(const std::filesystem::path& dump, const std::string& column) {
+}  // namespace
+
+void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
+                      std::uint64_t seed, AtomBlock& block) {
+  move_columns(header, wanted,
+               [&](const std::string& column) { return random_move(chunk, header.step, seed, column); }, block);
+}
+
+void drop_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted, int dropped, AtomBlock& block) {
+  move_columns(header, wanted, [&](const std::string& column) { return rounding_move(chunk, dropped, column); }, block);
+}
+
+double rounding_of(const std::filesystem::path& dump, const std::string& column, int dropped) {
   FrameHeader header;
   if (!open_trajectory(dump, {})->next(header)) return 0;
   std::string printed_as = column;
@@ -114,14 +126,15 @@ double rounding_of(const std::filesystem::path& dump, const std::string& column)
   const auto source = open_trajectory(dump, {printed_as});
   Chunk chunk;
   if (!source->next(header) || !source->cut(chunk)) return 0;
-  const PrintedPrecision printed = chunk.layout->printed_precision(chunk, printed_as);
-  if (printed.digits == 0) return 0;
+  PrintedPrecision printed = chunk.layout->printed_precision(chunk, printed_as);
+  if (printed.digits == 0 && dropped == 0) return 0;
+  if (printed.digits == 0) printed = {17, 0, false};
   AtomBlock block;
   convert(chunk, block);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double squares = 0;
   for (const double value : block.real(printed_as)) {
-    const double unit = last_digit_unit(value, printed);
+    const double unit = last_digit_unit(value, printed) * std::pow(10.0, dropped);
     if (unit > epsilon * std::abs(value)) squares += unit * unit;  // else every bit is told
   }
   return length * std::sqrt(squares / (12 * static_cast<double>(block.atoms())));

@@ -18,9 +18,12 @@ namespace mdana {
 void move_last_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted,
                       std::uint64_t seed, AtomBlock& block);
 
+/// Rounds the same columns to so many decimal digits fewer than the dump prints.
+void drop_digits(const Chunk& chunk, const FrameHeader& header, const ColumnSet& wanted, int dropped, AtomBlock& block);
+
 /// Standard deviation that rounding to the printed digits gives the numbers of a real column, by the
 /// first block of the dump; 0 if they are exact. For `x` of positions in the length unit, whatever
-/// columns they are made from. Throws InputError as reading does.
-double rounding_of(const std::filesystem::path& dump, const std::string& column);
+/// columns they are made from. Throws InputError as reading does. `dropped`: after drop_digits.
+double rounding_of(const std::filesystem::path& dump, const std::string& column, int dropped = 0);
 
 }  // namespace mdana

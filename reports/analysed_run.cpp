@@ -14,10 +14,10 @@ namespace mdana {
 namespace {
 
 /// A Hertz scene measures its own radius, so its delta counts from there.
-void fit_hertz_of(AnalysedRun& result, const Run& run, bool take_radius) {
+void fit_hertz_of(AnalysedRun& result, const Run& run, const HertzSettings& settings, bool take_radius) {
   require_known_ratio(run, result.measured.swept.tables[0], result.radii);
   result.hertz =
-      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve, result.radii), {}); });
+      told_of(run, [&] { return fit_hertz_with_spread(hertz_data(result.curve, result.radii), settings); });
   if (!take_radius || !result.hertz->fit.fit.usable) return;
   const double first = 2 * result.hertz->fit.radius.value * (result.radii.value[0] / result.radii.sum());
   const double second = 2 * result.hertz->fit.radius.value - first;
@@ -141,7 +141,7 @@ AnalysedRun analyse_run(const Run& run, const RunWishes& wishes, const SweepOpti
   result.radii = wishes.radii ? *wishes.radii : find_radii(run, {});
   Pass pass(run, wishes, result);
   pass.measure(options);
-  if (result.plan.has(Part::hertz_fit)) fit_hertz_of(result, run, !wishes.radii);
+  if (result.plan.has(Part::hertz_fit)) fit_hertz_of(result, run, wishes.hertz_settings, !wishes.radii);
   pass.conclude();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

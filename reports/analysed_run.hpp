@@ -23,6 +23,7 @@ struct RunWishes {
   std::optional<Radii> radii;  ///< place delta; without them the fitted R if it is fitted, else find_radii
   ContactOptions contact;
   PotentialOptions potential;
+  HertzSettings hertz_settings = {};
 };
 
 /// Everything that is known of a collision from one pass over the dump.

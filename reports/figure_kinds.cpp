@@ -77,6 +77,9 @@ const FigureKind all_kinds[] = {
      "E* and Y are not determined at any filling factor: runs at several velocities are needed"},
     {"coordination", "coordination number of aggregates against filling factor", "P2 11 (b)", runs, "aggregates",
      {"phi", "filling factor φ"}, "coordination number", {{"coordination", "n_c", {}, points}}, no_aggregates},
+    {"work-precision", "error against run time, a curve for each knob and number", "mdana accuracy", file, "accuracy", {"seconds", "run time [s]"},
+     "error", {{"error", "error", {}, points}}, "each run has a figure of its own; mdana accuracy writes the table", true, true,
+     "curve"},
     {"snapshots", "a slice of the particles at start, maximum compression and end, of each run", "P1 1, 5 (a, b); P2 3, 13", frames, "", {}, "",
      {}, no_runs},
 };
@@ -132,6 +135,23 @@ std::string axis(std::string_view label, Dimension dimension, std::optional<Unit
   return fmt::format("{} [{}]", label, symbol(*units, dimension));
 }
 
+/// The points of each name, in the order of the table; on logarithmic axes only what is greater than zero.
+std::vector<Series> series_by_name(const FigureKind& kind, const Table& table) {
+  const auto& names = std::ranges::find(table.columns(), kind.by, &ColumnSpec::name)->labels;
+  const auto name = table.column(kind.by), x = table.column(kind.x.column), y = table.column(kind.y.front().column);
+  std::vector<Series> all;
+  for (const std::string& n : names) all.push_back({n, {}, {}, kind.y.front().style, {}});
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const bool drawn = std::isfinite(x[i]) && std::isfinite(y[i]) && (!kind.log_x || x[i] > 0) && (!kind.log_y || y[i] > 0);
+    if (!drawn || names.empty()) continue;
+    Series& series = all.at(static_cast<std::size_t>(name[i]));
+    series.x.push_back(x[i]);
+    series.y.push_back(y[i]);
+  }
+  std::erase_if(all, [](const Series& s) { return s.x.empty(); });
+  return all;
+}
+
 }  // namespace
 
 std::span<const FigureKind> figure_kinds() { return all_kinds; }
@@ -149,6 +169,7 @@ bool can_draw(const FigureKind& kind, const Table& table) {
 }
 
 std::vector<Series> series_of(const FigureKind& kind, const Table& table, const std::string& label) {
+  if (!kind.by.empty() && table.has(kind.by)) return series_by_name(kind, table);
   const std::vector<double> x = values_of(table, std::string(kind.x.column));
   const double least = kind.x.column == "time" ? -std::numeric_limits<double>::infinity() : least_drawn(table, x);
   const auto of_runs = std::ranges::count_if(kind.y, [](const DrawnColumn& y) { return y.style != dashed; });

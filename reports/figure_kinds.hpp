@@ -23,7 +23,8 @@ struct DrawnColumn {
 enum class FigureScope {
   frames,  ///< a curve for each run of a group; one figure a group
   runs,    ///< a point for each run or velocity; one series a group
-  study    ///< one table of all runs
+  study,   ///< one table of all runs
+  file     ///< a table of a command, which no report has
 };
 
 /// A figure that shows several runs together: some column of a table against another one.
@@ -38,6 +39,7 @@ struct FigureKind {
   std::vector<DrawnColumn> y;  ///< NAME_error, if there is one, are its errors
   std::string_view without;    ///< what a study without the figure lacks
   bool log_x = false, log_y = false;
+  std::string_view by = {};    ///< column of names: a series for each of them
 };
 
 /// All kinds: the figures of Yoshida, Kokubo & Tanaka 2024 (P1) and Arakawa et al. 2024 (P2).
@@ -49,7 +51,7 @@ const FigureKind* find_figure_kind(std::string_view name);
 /// Whether a table has the x and at least one y of a kind, with numbers.
 bool can_draw(const FigureKind& kind, const Table& table);
 
-/// A series for each y that the table has. A label for several is followed by the column's. Of motions the
+/// A series for each y that the table has, and for each name in the column `by` of the kind. A label for several is followed by the column's. Of motions the
 /// frames far from contact are left out.
 std::vector<Series> series_of(const FigureKind& kind, const Table& table, const std::string& label);
 

@@ -31,15 +31,15 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
   });
   const auto [a, b] = body_motion(measured.swept.tables[0], 0);
   const double relative = std::sqrt(1 / a.atoms + 1 / b.atoms);
-  measured.motion.position_noise = relative * rounding_of(run.dump, "x");
-  if (parts.velocity) measured.motion.velocity_noise = relative * rounding_of(run.dump, "vx");
+  measured.motion.position_noise = relative * rounding_of(run.dump, "x", options.dropped_digits);
+  if (parts.velocity) measured.motion.velocity_noise = relative * rounding_of(run.dump, "vx", options.dropped_digits);
   return measured;
 }
 
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
-                                const Radii& radii) {
+                                const Radii& radii, int window) {
   ForceCurve curve =
-      told_of(run, [&] { return force_curve(motion, source, run.units, radii.sum()); });
+      told_of(run, [&] { return force_curve(motion, source, run.units, radii.sum(), window); });
   if (!curve.contact)
     throw InputError(fmt::format(
         "{}: no contact in this dump: the centres come no nearer than {:.6g}, {:.6g} more than the "

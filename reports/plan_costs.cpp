@@ -15,7 +15,7 @@
 #include "readers/column_choice.hpp"
 #include "readers/file_set.hpp"
 #include "readers/input_error.hpp"
-#include "reports/accuracy.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/contact_numbers.hpp"
 #include "reports/network.hpp"
 #include "reports/stability.hpp"
@@ -80,9 +80,9 @@ Analyses member_made(std::string_view name, const Run& run) {
 }
 
 /// What times the parts of a plan.
-class Estimate {
+class CostEstimate {
  public:
-  Estimate(const Run& run, const Plan& plan, const PlanWishes& wishes, const SweepOptions& sweeping)
+  CostEstimate(const Run& run, const Plan& plan, const PlanWishes& wishes, const SweepOptions& sweeping)
       : run_(run), plan_(plan), wishes_(wishes), sweeping_(sweeping), count_(count_quickly(run.dump, counting_seconds)) {
     sweeping_.selection = run.selection;
     cost_.input_bytes = bytes_on_disk(run.dump);
@@ -255,7 +255,7 @@ class Estimate {
     const double pass = pass_ + first_ + (plan_.has(Part::hertz_fit) ? fits_seconds : 0);
     const double frame = (base_ + contact_) * frames();
     if (plan_.has(Part::accuracy)) {
-      const auto [passes, all_frames] = accuracy_passes();
+      const auto [passes, all_frames] = accuracy_passes(plan_.has(Part::hertz_fit));
       serial_ += passes * pass;
       add(name(Part::accuracy), passes * pass + all_frames * frame, 0, passes);
     }
@@ -325,7 +325,7 @@ class Estimate {
 }  // namespace
 
 PlanCost estimate_cost(const Run& run, const Plan& plan, const PlanWishes& wishes, const SweepOptions& sweeping) {
-  return Estimate(run, plan, wishes, sweeping).make();
+  return CostEstimate(run, plan, wishes, sweeping).make();
 }
 
 }  // namespace mdana

@@ -16,7 +16,7 @@ namespace mdana {
 
 /// What is done with every run, and with all together.
 struct StudySettings {
-  bool accuracy = true;           ///< error of each number against run time: twelve passes more
+  bool accuracy = true;           ///< error of each number against run time: about twenty passes more
   bool stability = true;          ///< digits that the printed digits of the dump fix: four passes more
   bool defects = true;            ///< crystal structure of spheres
   std::vector<std::string> laws;  ///< of collisions, fitted to the e and sticking of each group

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/collision_summary.hpp"
 #include "reports/compression_study.hpp"
 
@@ -57,15 +58,18 @@ Document document_of(const Run& run, const CompressedRun& compressed, Split spli
   return document;
 }
 
-int run_single(const Values& values, const Wishes& wanted) {
+int run_single(const Values& values, Wishes wanted) {
   const Run run = prepare_run(wanted.run);
-  const CompressedRun compressed = measure(run, wanted);
   const SurfaceOffset offset = wanted.offset.value_or(SurfaceOffset{});
+  const DumpQuestion question{run, wanted.run, wanted.sweeping, {}, {}, {}, {}, wanted.split, offset};
+  const auto chosen = choose_stride(values, compress_subject(question), wanted.sweeping);
+  const CompressedRun compressed = measure(run, wanted);
   Document document = document_of(run, compressed, wanted.split, offset);
   const Compressing c = compressing(compressed, offset);
   add_degeneracy(document, c.impact, c.by[static_cast<std::size_t>(wanted.split)].delta);
+  tell_choice(document, chosen);
   const Table table = compression_table(compressed, wanted.split);
-  return emit(values, document, &table);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 /// The runs of a study; one that cannot be analysed does not stop the others.
@@ -157,6 +161,7 @@ void add_options(Options& options) {
        "both are told")                                                                                    //
       ("offset", po::value<double>()->value_name("LENGTH"),
        "R_eff = R_agg - LENGTH (default: from delta_max against R_agg if there are several radii, else 0)");
+  add_error_option(options, "the frame stride of a single run");
   add_output_options(options, true);
 }
 
@@ -164,6 +169,7 @@ int run_command(const Values& values) {
   check_output(values, true);
   const Wishes wanted = wishes(values);
   const std::vector<std::string> dumps = dumps_of(values);
+  if (dumps.size() > 1 && wanted_error(values)) throw UsageError("--error is of a single run");
   return dumps.size() == 1 ? run_single(values, wanted) : run_series(values, wanted, dumps);
 }
 

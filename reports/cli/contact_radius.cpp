@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fits/force_law.hpp"
 #include "readers/input_error.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/measured.hpp"
 #include "reports/plan.hpp"
@@ -43,6 +45,7 @@ void add_options(Options& options) {
   add_run_options(options);
   add_contact_options(options);
   add_material_options(options);
+  add_error_option(options, "the frame stride");
   add_output_options(options, true);
 }
 
@@ -57,7 +60,7 @@ void require_touch(const Run& run, const ContactNumbers& numbers) {
 int run_command(const Values& values) {
   check_output(values, true);
   const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
+  SweepOptions sweeping = sweep_options(values);
   const ContactOptions contact = contact_options(values);
   material_options(values, {});  // a usage error comes before work
   const Run run = prepare_run(options);
@@ -70,6 +73,7 @@ int run_command(const Values& values) {
   const Plan plan = plan_command(run, "contact-radius", wishes);
   const Radii radii = find_radii(run, options);
   const ContactSetup setup = contact_setup(run, contact);
+  const auto chosen = choose_stride(values, contact_radius_subject({run, options, sweeping, contact}), sweeping);
   const MeasuredMotion measured =
       measure_motion(run, {}, contact_analyses(radii, setup), sweeping);
   const ContactNumbers numbers = contact_numbers(measured, radii.sum());
@@ -86,7 +90,8 @@ int run_command(const Values& values) {
   const std::vector<double> delta = approach(measured.motion, radii.sum());
   Table table = contact_table(measured, delta);
   add_laws(document, table, delta, radii, material, plan);
-  return emit(values, document, &table);
+  tell_choice(document, chosen);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/energy.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/exchange.hpp"
 #include "reports/plan.hpp"
@@ -28,6 +30,7 @@ void add_options(Options& options) {
   add_run_options(options);
   add_membership_options(options);
   add_potential_options(options);
+  add_error_option(options, "the frame stride");
   add_output_options(options, true);
 }
 
@@ -35,13 +38,14 @@ int run_command(const Values& values) {
   check_output(values, true);
   const PotentialOptions potential = potential_options(values);
   const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
+  SweepOptions sweeping = sweep_options(values);
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const MotionParts parts = parts_for_energy(run);
   std::vector<std::unique_ptr<Analysis>> analyses;
   analyses.push_back(make_energy(choose_potential(run, potential).column));
   const Radii radii = find_radii(run, options);
+  const auto chosen = choose_stride(values, energy_subject({run, options, sweeping, {}, potential}), sweeping);
   const MeasuredMotion measured = measure_motion(run, parts, std::move(analyses), sweeping);
   const MeasuredEnergy energy =
       measure_energy(run, measured, measured.swept.tables[1], radii, potential);
@@ -57,7 +61,8 @@ int run_command(const Values& values) {
   Table table = energy_table(energy.curve, measured.motion.steps, measured.motion.times);
   if (measured.motion.first_lost > 0)
     table.add_column({"lost", dimension::none}, measured.motion.lost);
-  return emit(values, document, &table);
+  tell_choice(document, chosen);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "readers/input_error.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/cli/contact_options.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/contact_fitted.hpp"
 
 namespace mdana::cli {
@@ -121,7 +125,20 @@ void add_options(Options& options) {
       ("seed", po::value<std::uint64_t>()->default_value(1)->value_name("N"), "of the draws")      //
       ("level", po::value<double>()->default_value(IntervalSettings().level, "0.683")->value_name("P"),
        "probability of the intervals");
+  add_error_option(options, "the starts");
   add_contact_fit_options(options);
+}
+
+/// With --error: as many starts as it needs, which are set. Nothing if no fit is usable.
+std::optional<Recommendation> choose_starts(const Values& values, const AccuracySubject& subject, ContactFitSettings& settings) try {
+  const std::optional<double> wanted = wanted_error(values);
+  if (!wanted) return std::nullopt;
+  const Knob& knob = subject.knob("starts");
+  const Recommendation chosen = choose(subject, knob, *wanted);
+  settings.starts = static_cast<int>(std::lround(1 / knob.values[chosen.choice.of("starts")].number));
+  return chosen;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 int run_command(const Values& values) {
@@ -133,14 +150,16 @@ int run_command(const Values& values) {
   const Wanted wanted = law.name == "andrews" ? Wanted::compression : Wanted::restitution;
   const Observations observations = observations_option(values, names, wanted);
   set_free(settings, values, law, names, observations);
+  const auto chosen = choose_starts(values, fit_contact_subject(law, observations.seen, settings), settings);
   const ContactFit fit = fit_contact(law, observations.seen, settings);
 
   Document document("fit-contact");
   add_inputs(document, observations);
   add_contact_fit(document, law, settings, observations.seen, fit);
+  tell_choice(document, chosen);
   const Table table = contact_fit_table(observations.seen, fit);
   const int code = emit(values, document, &table);
-  return fit.usable ? code : not_converged;
+  return fit.usable ? choice_code(chosen, code) : not_converged;
 }
 
 }  // namespace

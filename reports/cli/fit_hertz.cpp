@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/fitted.hpp"
 #include "reports/measured.hpp"
 #include "reports/hertz_sizes.hpp"
@@ -43,6 +44,7 @@ void add_options(Options& options) {
        "weigh points alike (equal) or by the errors of their forces (errors)")                 //
       ("rows", po::value<std::string>()->default_value("run")->value_name("NAME"),
        "of the table of several dumps: a run or a size (bodies whose atoms differ by 1 % at most)");
+  add_error_option(options, "the frame stride, dump by dump,");
   add_output_options(options, true);
 }
 
@@ -65,12 +67,14 @@ struct Told {
   Table points;
   HertzResult hertz;
   double atoms;  ///< of the first body
+  std::optional<Recommendation> chosen = {};  ///< for --error
 };
 
-Told analyse(const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
+Told analyse(const Values& values, const RunOptions& options, SweepOptions sweeping, const HertzSettings& wanted) {
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const ForceSource source = best_force_source(run);
+  const auto chosen = choose_stride(values, fit_hertz_subject({run, options, sweeping, {}, {}, source, wanted}), sweeping);
   const MeasuredMotion measured = measure_motion(run, parts_for(source), {}, sweeping);
   const Radii radii = find_radii(run, options);
   require_known_ratio(run, measured.swept.tables[0], radii);
@@ -79,25 +83,27 @@ Told analyse(const RunOptions& options, const SweepOptions& sweeping, const Hert
       told_of(run, [&] { return fit_hertz_with_spread(hertz_data(curve, radii), wanted); });
 
   Told told{Document("fit-hertz", run), hertz_table(hertz, curve), hertz,
-            measured.swept.tables[0].column("atoms1")[0]};
+            measured.swept.tables[0].column("atoms1")[0], chosen};
   told.document.sweep(measured.swept, run.format);
   add_plan(told.document, plan_command(run, "fit-hertz"));
   told.document.json("force_source", name(source));
   told.document.line("force from", std::string(description(source)));
   add_hertz(told.document, run, hertz);
+  tell_choice(told.document, chosen);
   return told;
 }
 
 /// Fits of several dumps: each its own, and what those of one size say together.
 class Series {
  public:
-  void add(const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
+  void add(const Values& values, const RunOptions& options, const SweepOptions& sweeping, const HertzSettings& wanted) {
     const std::string dump = options.dump.string();
     try {
-      const Told told = analyse(options, sweeping, wanted);
+      const Told told = analyse(values, options, sweeping, wanted);
       runs_.push_back(told.document.content());
       for (const std::string& w : told.document.warnings()) document_.warn(dump + ": " + w);
       damaged_ = damaged_ || told.document.damaged();
+      met_ = met_ && choice_code(told.chosen, done) == done;
       add_row(told.atoms, told.hertz);
       const Units units = told.document.units();
       document_.set_units(units);
@@ -122,7 +128,7 @@ class Series {
     const bool by_size = choice(values, "rows", row_names) == 1;
     const Table table = by_size ? size_table(sizes) : table_;
     const int code = cli::emit(values, document_, &table);
-    return failed_ ? failed : damaged_ ? damaged_input : fitted_.empty() ? not_converged : code;
+    return failed_ ? failed : damaged_ ? damaged_input : fitted_.empty() || !met_ ? not_converged : code;
   }
 
  private:
@@ -143,7 +149,7 @@ class Series {
                 {"E_star_error", dimension::pressure},
                 {"rms_residual", dimension::none},
                 {"usable", dimension::none}}};
-  bool failed_ = false, damaged_ = false;
+  bool failed_ = false, damaged_ = false, met_ = true;
 };
 
 int run_command(const Values& values) {
@@ -153,15 +159,15 @@ int run_command(const Values& values) {
   const HertzSettings wanted = settings(values);
   choice(values, "rows", row_names);
   if (!values.count("more")) {
-    const Told told = analyse(options, sweeping, wanted);
+    const Told told = analyse(values, options, sweeping, wanted);
     const int code = emit(values, told.document, &told.points);
-    return told.hertz.fit.fit.usable ? code : not_converged;
+    return told.hertz.fit.fit.usable ? choice_code(told.chosen, code) : not_converged;
   }
   Series series;
-  series.add(options, sweeping, wanted);
+  series.add(values, options, sweeping, wanted);
   for (const std::string& dump : values["more"].as<std::vector<std::string>>()) {
     options.dump = dump;
-    series.add(options, sweeping, wanted);
+    series.add(values, options, sweeping, wanted);
   }
   return series.emit(values);
 }

@@ -6,7 +6,8 @@
 
 #include "analyses/energy.hpp"
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/measured.hpp"
 #include "reports/measured_energy.hpp"
 #include "reports/plan.hpp"
@@ -80,6 +81,7 @@ void add_options(Options& options) {
        "force from: forces (sum of fx fy fz), velocities (m* dv/dt), positions (m* d2x/dt2), or "
        "auto, the best that the dump has")                                                  //
       ("compare", po::bool_switch(), "compare all sources that the dump has");
+  add_error_option(options, "the frame stride");
   add_output_options(options, true);
 }
 
@@ -87,7 +89,7 @@ int run_command(const Values& values) {
   check_output(values, true);
   const std::optional<ForceSource> wanted = source_option(values);
   const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
+  SweepOptions sweeping = sweep_options(values);
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const bool compare = values["compare"].as<bool>();
@@ -96,6 +98,7 @@ int run_command(const Values& values) {
   wishes.source = wanted;
   Plan plan = plan_command(run, "force", wishes);
   const Radii radii = find_radii(run, options);
+  const auto chosen = choose_stride(values, force_subject({run, options, sweeping, {}, {}, source}), sweeping);
   const MeasuredMotion measured = measure_motion(run, parts(run, source, compare),
                                                  rotation_analysis(plan), sweeping);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
@@ -111,8 +114,9 @@ int run_command(const Values& values) {
   if (plan.has(Part::rotation)) tell_rotation(document, run, measured, curve, table);
   add_lost_atoms(document, measured.motion);
   warn_of_force(document, curve);
+  tell_choice(document, chosen);
   if (compare) add_comparison(document, run, measured.motion, curve, source, table);
-  return emit(values, document, &table);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 }  // namespace
@@ -127,6 +131,7 @@ const Command force_command{
     "F > 0 is repulsive, v = d delta/dt > 0 is approach. The table (-o FILE.csv) has a row a frame.",
     "  mdana force sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana force dump.lammpstrj --units lj --timestep 0.005 --radius 29.6 -o force.csv\n"
+    "  mdana force sample-data/adhesive-tiny/dump.lammpstrj.gz --error 0.2\n"
     "  mdana force run/dump.lammpstrj.gz --compare --json",
     add_options,
     run_command};

@@ -26,6 +26,7 @@ void add_options(Options& options) {
 
 /// Where a report has the table that a kind draws.
 std::string file_of(const FigureKind& kind) {
+  if (kind.scope == FigureScope::file) return fmt::format("FILE.csv of mdana {}", kind.table);
   if (kind.scope == FigureScope::frames) return fmt::format("runs/NAME/{}.csv", kind.table);
   const bool rows = kind.table == "runs" || kind.table == "aggregates";
   return rows ? "results.csv" : fmt::format("tables/{}.csv", kind.table);

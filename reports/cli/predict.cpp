@@ -5,7 +5,8 @@
 
 #include "fits/collision_limits.hpp"
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/cli/signals.hpp"
 #include "reports/predicted.hpp"
 
@@ -74,6 +75,8 @@ Wanted wanted_of(const Values& values) {
         "--sticking-velocity and --peak look at several velocities: v=FIRST:LAST:COUNT, "
         "or none");
   if (searching(values) && !velocity) w.given.push_back({"v", "1"});
+  if (values.count("error") && (w.sweep || searching(values)))
+    throw UsageError("--error is of one collision; --tolerance is of several velocities");
   if (w.settings.trajectory && (w.sweep || searching(values)))
     throw UsageError("--trajectory is of one collision, not of several velocities");
   return w;
@@ -120,9 +123,26 @@ nlohmann::ordered_json trajectory_json(const Table& table) {
   return json;
 }
 
+/// With --error: the greatest tolerance that gives it, which is set. Nothing if the collision is unresolved with all.
+std::optional<Recommendation> choose_tolerance(const Values& values, const Wanted& wanted, const CollisionInput& input,
+                                               CollisionSettings& settings) try {
+  const std::optional<double> error = wanted_error(values);
+  if (!error) return std::nullopt;
+  if (!values["tolerance"].defaulted()) throw UsageError("--error chooses the tolerance: leave --tolerance out");
+  const AccuracySubject subject = predict_subject(*wanted.law, input, settings);
+  const Knob& knob = subject.knob("tolerance");
+  const Recommendation chosen = choose(subject, knob, *error);
+  settings.tolerance = knob.values[chosen.choice.of("tolerance")].number;
+  return chosen;
+} catch (const InputError&) {
+  return std::nullopt;
+}
+
 int one_collision(const Values& values, const Wanted& wanted, const CollisionInput& input,
                   Document& document) {
-  const Collision c = collide(*wanted.law, input, wanted.settings);
+  CollisionSettings settings = wanted.settings;
+  const auto chosen = choose_tolerance(values, wanted, input, settings);
+  const Collision c = collide(*wanted.law, input, settings);
   const auto numbers = to_json(c);
   for (const auto& [name, value] : numbers.items()) document.json(name, value);
   document.line("v", fmt::format("{:.10g}", input.impact.velocity));
@@ -132,8 +152,9 @@ int one_collision(const Values& values, const Wanted& wanted, const CollisionInp
   const Table table =
       wanted.settings.trajectory ? trajectory_table(c) : collision_table({&velocity, 1}, {&c, 1});
   if (wanted.settings.trajectory) document.json("trajectory", trajectory_json(table));
+  tell_choice(document, chosen);
   const int code = emit(values, document, &table);
-  return c.outcome == CollisionOutcome::unresolved ? not_converged : code;
+  return c.outcome == CollisionOutcome::unresolved ? not_converged : choice_code(chosen, code);
 }
 
 int sweep_velocities(const Values& values, const Wanted& wanted, CollisionInput input,
@@ -194,6 +215,8 @@ void add_options(Options& options) {
       ("peak", po::bool_switch(), "the velocity at which e is greatest")                       //
       ("tolerance", po::value<double>()->default_value(1e-8, "1e-8")->value_name("E"),
        "wanted error of e")  //
+      ("error", po::value<double>()->value_name("E"),
+       "wanted error of all numbers, as a part of them: chooses the tolerance")  //
       ("time-limit", po::value<double>()->default_value(2)->value_name("SECONDS"),
        "of one collision; beyond it the outcome is unresolved")                      //
       ("json", po::bool_switch(), "print one JSON document on the standard output")  //

@@ -129,10 +129,12 @@ Published publish(const Run& run, const RunOptions& options, const SweepOptions&
     add_compression(document, measure_compression(run, options, sweeping), Split::sign, {});
     return {document.numbers(), {}};
   }
+  PlanWishes asked;
+  asked.parts = parts_of("report").value();
+  asked.structure = asked.accuracy = asked.stability = false;
   RunWishes wishes;
-  wishes.hertz = run.scene.interaction == Interaction::hertz;
-  if (!wishes.hertz) wishes.radii = find_radii(run, options);
-  wishes.energies = true;
+  wishes.plan = plan_run(run, asked);
+  if (!wishes.plan.has(Part::hertz_fit)) wishes.radii = find_radii(run, options);
   const AnalysedRun analysed = analyse_run(run, wishes, sweeping);
   add_collision(document, run, analysed, {analysed.radii.reduced(), 0, 0}, sweeping, false);
   if (!analysed.hertz) return {document.numbers(), {}};

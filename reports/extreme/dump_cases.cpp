@@ -34,9 +34,14 @@ Told analyse(const MadeUpCollision& c) {
   const RunOptions options = options_for(c, dump);
   const Run run = prepare_run(options);
   require_two_bodies(run);
+  PlanWishes asked;
+  asked.parts = {Part::force, Part::restitution, Part::contact_radius};
+  asked.insist = true;
+  asked.layer = 1.5 * c.length;
   RunWishes wishes;
+  wishes.plan = plan_run(run, asked);
   wishes.radii = find_radii(run, options);
-  wishes.contact.layer = 1.5 * c.length;
+  wishes.contact.layer = asked.layer;
   const AnalysedRun analysed = analyse_run(run, wishes, {});
   Told told{analysed.numbers(), 0, analysed.measured.swept.damage};
   if (!analysed.curve.loops.empty()) told.low = analysed.curve.loops.front().low;

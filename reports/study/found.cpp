@@ -169,7 +169,7 @@ std::string study_toml(const StudyPlan& plan) {
       "# Paths count from the directory of this file.\n"
       "schema = 1\ntitle = {}\n\n"
       "[checks]  # each run is read again for them, many times; false where that takes too long\n"
-      "accuracy = {}   # error of each number against run time: twelve passes\n"
+      "accuracy = {}   # error of each number against run time: about twenty passes\n"
       "stability = {}  # digits that the printed digits of the dump fix: four passes\n\n"
       "[analyses]\n"
       "defects = {}  # crystal structure and its faults, of spheres\n\n"

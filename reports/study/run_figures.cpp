@@ -162,7 +162,7 @@ Figure accuracy_figure(const SphereRun& entry) {
     Series& series = by_quantity[row.quantity];
     series.label = row.quantity;
     series.style = Series::Style::points;
-    series.x.push_back(row.seconds);
+    series.x.push_back(row.cost.seconds);
     series.y.push_back(row.error);
   }
   Figure figure;

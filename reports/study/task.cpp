@@ -5,6 +5,7 @@
 
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/study/aggregate_record.hpp"
 #include "reports/study/chosen_frames.hpp"
 #include "reports/study/run_figures.hpp"
@@ -17,11 +18,24 @@ using Json = nlohmann::ordered_json;
 Json accuracy_json(const std::vector<AccuracyRow>& accuracy) {
   Json rows = Json::array();
   for (const AccuracyRow& r : accuracy)
-    rows.push_back({{"setting", r.setting},
+    rows.push_back({{"knob", r.knob},
+                    {"setting", r.setting},
                     {"quantity", r.quantity},
                     {"value", r.value},
-                    {"relative_difference", r.error},
-                    {"seconds", r.seconds}});
+                    {"relative_error", r.error},
+                    {"stated", r.stated},
+                    {"seconds", r.cost.seconds},
+                    {"spread", r.cost.spread},
+                    {"memory", r.cost.memory}});
+  return rows;
+}
+
+/// Error against run time of all published numbers.
+std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full, const SweepOptions& sweeping) {
+  const AccuracySubject subject = run_subject(run, full, sweeping);
+  std::vector<AccuracyRow> rows;
+  for (const Knob& knob : subject.knobs)
+    for (AccuracyRow& row : climb(subject, knob, report_repetitions).rows) rows.push_back(std::move(row));
   return rows;
 }
 

@@ -27,13 +27,14 @@ OPTIONS = {
     "study": ["--print", "--force", "--output", "-o", "--help"],
     "report": ["--jobs", "--only", "--dry-run", "--threads", "--memory", "--json", "--output", "-o", "--help"],
     "plot": ["--list", "--units", "--title", "--output", "-o", "--help"],
+    "accuracy": RUN + SWEEP + ["--error", "--only", "--knob", "--judge", "--repeat", "--law", "--layer", "--potential"],
     "stability": RUN + SWEEP,
     "fit-hertz": RUN + SWEEP + ["--method", "--min-force-fraction", "--max-force-fraction", "--phase", "--loss",
                                 "--weights"],
     "fit-force": RUN + SWEEP + ["--law", "--free", "--parameter", "--part", "--min-delta-fraction", "--loss"],
 }
 
-WITHOUT_INPUT = ("law", "predict", "stability", "aggregate")  # their examples need no dump
+WITHOUT_INPUT = ("law", "predict", "stability", "aggregate", "selfcheck")  # their examples need no dump
 
 
 def examples(text):
@@ -79,7 +80,7 @@ class Help(Case):
         for command in self.commands():
             for line in examples(self.mdana(command, "--help").stdout):
                 with self.subTest(line):
-                    there = "sample-data" in line or "--list" in line or command in WITHOUT_INPUT
+                    there = "sample-data" in line or "--list" in line or command in WITHOUT_INPUT or "accuracy --law" in line
                     done = self.mdana(*shlex.split(line)[1:], cwd=self.dir, code=0 if there else 1)
                     if there:
                         with_sample.add(command)

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact radius and crystal structure of a dump, with their knobs.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "analyses/contact_patch.hpp"
+#include "analyses/defects.hpp"
+#include "readers/input_error.hpp"
+#include "reports/accuracy/dump_subject.hpp"
+
+namespace mdana {
+namespace {
+
+constexpr std::array<double, 6> layer_factors{1, 0.5, 0.75, 1.25, 1.5, 2};      ///< of the default thickness
+constexpr std::array<double, 5> cutoff_factors{1, 0.8, 0.9, 1.1, 1.2};  ///< of the default cutoff
+constexpr std::array<std::string_view, 3> definitions{"gyration", "alpha", "neighbours"};
+constexpr std::array<std::string_view, 2> searches{"cells", "cgal"};
+constexpr std::array<std::string_view, 2> zones{"near defects", "everywhere"};
+
+/// Lengths about a default one.
+std::vector<KnobValue> multiples(std::span<const double> factors, double length) {
+  std::vector<KnobValue> values;
+  for (const double f : factors) values.push_back({fmt::format("{:.4g}", f * length), f * length});
+  return values;
+}
+
+template <class Names>
+std::vector<KnobValue> named(const Names& names) {
+  std::vector<KnobValue> values;
+  for (const std::string_view n : names) values.push_back({std::string(n)});
+  return values;
+}
+
+std::vector<JudgedNumber> contact_numbers_of(const DumpQuestion& q, const Measuring& m) {
+  const Radii radii = find_radii(q.run, q.options);
+  const ContactSetup setup = contact_setup(q.run, m.contact);
+  const MeasuredMotion measured = measure_motion(q.run, {}, contact_analyses(radii, setup), m.sweeping);
+  const ContactNumbers contact = contact_numbers(measured, radii.sum());
+  if (!contact.touch()) throw InputError(q.run.dump.string() + ": the layer never holds atoms of both bodies");
+  std::vector<JudgedNumber> numbers;
+  for (const ContactRadiusNumbers& n : contact.definitions) {
+    if (n.definition == m.definition) numbers.insert(numbers.begin(), {"contact_radius", n.at_delta_max});
+    numbers.push_back({fmt::format("{}.max", n.definition), n.max});
+    numbers.push_back({fmt::format("{}.at_delta_max", n.definition), n.at_delta_max});
+  }
+  return numbers;
+}
+
+/// Knobs of what the scene allows to be measured.
+std::vector<DumpKnob> contact_knobs(const DumpQuestion& q) {
+  const ContactSetup setup = contact_setup(q.run, q.contact);
+  const double layer = 2 * setup.half_layer, cutoff = setup.cutoff;
+  std::vector<DumpKnob> knobs{
+      {{"layer", "thickness of the layer about the contact plane", Reference::standard, 0, multiples(layer_factors, layer)},
+       [layer](Measuring& m, std::size_t k) { m.contact.layer = layer_factors[k] * layer; }}};
+  if (!(cutoff > 0)) return knobs;  // this build has no contact_patch
+  knobs.push_back({{"neighbour-cutoff", "atoms nearer than this are neighbours", Reference::standard, 0,
+                    multiples(cutoff_factors, cutoff)},
+                   [cutoff](Measuring& m, std::size_t k) { m.contact.cutoff = cutoff_factors[k] * cutoff; }});
+  knobs.push_back({{"definition", "of the contact radius", Reference::standard, 0, named(definitions)},
+                   [](Measuring& m, std::size_t k) { m.definition = definitions[k]; }});
+  return knobs;
+}
+
+#ifdef MDANA_WITH_DEFECTS
+
+double greatest(const Table& table, std::string_view column) {
+  return table.has(column) ? std::ranges::max(table.column(column)) : 0;
+}
+
+std::vector<JudgedNumber> defect_numbers_of(const DumpQuestion& q, const Measuring& m) {
+  DefectSettings settings;
+  settings.ids = q.run.first.has_column("id");
+  settings.lines = settings.surface = true;
+  settings.by_cgal = m.by_cgal;
+  settings.lines_everywhere = m.everywhere;
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_defects(std::move(settings)));
+  const MeasuredMotion measured = measure_motion(q.run, {}, std::move(analyses), m.sweeping);
+  const Table& table = measured.swept.tables[1];
+  const double atoms = greatest(table, "fcc") + 1, area = greatest(table, "surface_area1") + 1;
+  std::vector<JudgedNumber> numbers{{"fcc", {greatest(table, "fcc"), {}, {}}, atoms},
+                                    {"hcp", {greatest(table, "hcp"), {}, {}}, atoms},
+                                    {"bulk_defect", {greatest(table, "bulk_defect"), {}, {}}, atoms},
+                                    {"fault_area", {greatest(table, "fault_area"), {}, {}}, area}};
+  return numbers;
+}
+
+std::vector<DumpKnob> defect_knobs() {
+  return {{{"neighbours", "how they are looked for", Reference::bits, 0, named(searches)},
+           [](Measuring& m, std::size_t k) { m.by_cgal = k == 1; }},
+          {{"zone", "where lines are looked for", Reference::bits, 0, named(zones)},
+           [](Measuring& m, std::size_t k) { m.everywhere = k == 1; }}};
+}
+
+#else
+
+std::vector<JudgedNumber> defect_numbers_of(const DumpQuestion&, const Measuring&) {
+  throw InputError("this build has no analysis of defects");
+}
+
+std::vector<DumpKnob> defect_knobs() { return {}; }
+
+#endif
+
+}  // namespace
+
+AccuracySubject contact_radius_subject(const DumpQuestion& question) {
+  return dump_subject("contact-radius", question, together(sweep_knobs(), contact_knobs(question)), contact_numbers_of);
+}
+
+AccuracySubject defects_subject(const DumpQuestion& question) {
+  return dump_subject("defects", question, together(sweep_knobs(), defect_knobs()), defect_numbers_of);
+}
+
+DumpSubjects dump_subjects(const DumpQuestion& question) {
+  if (question.run.scene.interaction == Interaction::aggregate) return {{compress_subject(question)}, {}};
+  DumpSubjects all{{force_subject(question)}, {}};
+  try {
+    all.subjects.push_back(contact_radius_subject(question));
+  } catch (const InputError& error) {
+    all.left_out.emplace_back("contact-radius", error.what());
+  }
+  if (question.run.first.has_column("vx"))
+    all.subjects.push_back(energy_subject(question));
+  else
+    all.left_out.emplace_back("energy", "the dump has no velocities");
+  if (question.run.scene.interaction == Interaction::hertz)
+    all.subjects.push_back(fit_hertz_subject(question));
+  else
+    all.left_out.emplace_back("fit-hertz", "the scene does not say that the bodies only repel each other");
+  all.subjects.push_back(defects_subject(question));
+  return all;
+}
+
+}  // namespace mdana

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Force, Hertz fit, energy and compression of a dump, with their knobs.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "analyses/energy.hpp"
+#include "analyses/restitution.hpp"
+#include "readers/input_error.hpp"
+#include "reports/accuracy/dump_subject.hpp"
+#include "reports/fitted.hpp"
+#include "reports/measured_energy.hpp"
+
+namespace mdana {
+namespace {
+
+constexpr std::array<HertzMethod, 2> methods{HertzMethod::force, HertzMethod::linear};
+constexpr std::array<HertzPhase, 2> phases{HertzPhase::loading, HertzPhase::all};
+constexpr std::array<double, 4> least_forces{0.05, 0.02, 0.1, 0.2};
+constexpr std::array<double, 3> greatest_forces{1, 0.75, 0.5};
+constexpr std::array<Loss, 3> losses{Loss::none, Loss::huber, Loss::cauchy};
+constexpr std::array<HertzWeights, 2> weights{HertzWeights::equal, HertzWeights::errors};
+constexpr std::array<std::string_view, 2> weight_names{"equal", "errors"};
+
+/// A knob without a finest value, of names or numbers.
+template <class Elements, class Text, class Set>
+DumpKnob choice_knob(std::string name, std::string meaning, const Elements& elements, Text&& text, Set&& set) {
+  Knob knob{std::move(name), std::move(meaning), Reference::standard, 0, {}};
+  for (std::size_t k = 0; k < elements.size(); ++k) knob.values.push_back({std::string(text(k))});
+  return {std::move(knob), set};
+}
+
+std::vector<DumpKnob> hertz_knobs() {
+  const auto number = [](const auto& list) { return [&list](std::size_t k) { return fmt::format("{:g}", list[k]); }; };
+  return {choice_knob("method", "least squares in F (force) or in F^(2/3) (linear)", methods,
+                      [](std::size_t k) { return name(methods[k]); },
+                      [](Measuring& m, std::size_t k) { m.hertz.method = methods[k]; }),
+          choice_knob("phase", "frames that are fitted", phases, [](std::size_t k) { return name(phases[k]); },
+                      [](Measuring& m, std::size_t k) { m.hertz.phase = phases[k]; }),
+          choice_knob("min-force-fraction", "least force that is fitted, over F_max", least_forces, number(least_forces),
+                      [](Measuring& m, std::size_t k) { m.hertz.min_force_fraction = least_forces[k]; }),
+          choice_knob("max-force-fraction", "greatest force that is fitted, over F_max", greatest_forces,
+                      number(greatest_forces),
+                      [](Measuring& m, std::size_t k) { m.hertz.max_force_fraction = greatest_forces[k]; }),
+          choice_knob("loss", "how outliers are damped", losses, [](std::size_t k) { return name(losses[k]); },
+                      [](Measuring& m, std::size_t k) { m.hertz.loss = losses[k]; }),
+          choice_knob("weights", "of the points", weights, [](std::size_t k) { return weight_names[k]; },
+                      [](Measuring& m, std::size_t k) { m.hertz.weights = weights[k]; })};
+}
+
+/// Motion and force curve of one pass.
+struct Pass {
+  MeasuredMotion measured;
+  Radii radii;
+  ForceCurve curve;
+};
+
+Pass pass_of(const DumpQuestion& q, const Measuring& m) {
+  Pass pass{measure_motion(q.run, parts_for(m.source), {}, m.sweeping), find_radii(q.run, q.options), {}};
+  pass.curve = touching_force_curve(q.run, pass.measured.motion, m.source, pass.radii, m.window);
+  return pass;
+}
+
+/// m* v^2/2 of the greatest speed; without speeds F_max delta_max.
+double kinetic_energy(const RelativeMotion& motion, const ForceCurve& curve, Units units) {
+  const std::vector<double> squares = squared_speed(motion);
+  if (squares.empty()) return std::abs(curve.force_max.value * curve.delta_max.value);
+  return 0.5 * motion.reduced_mass * force_per_mass_acceleration(units) * *std::ranges::max_element(squares);
+}
+
+std::vector<JudgedNumber> force_numbers(const DumpQuestion& q, const Measuring& m) {
+  const Pass pass = pass_of(q, m);
+  const double energy = kinetic_energy(pass.measured.motion, pass.curve, q.run.units);
+  const double force = std::abs(pass.curve.force_max.value);
+  std::vector<JudgedNumber> numbers{{"F_max", pass.curve.force_max},
+                                    {"F_min_loading", pass.curve.force_min_loading, force},
+                                    {"delta_max", pass.curve.delta_max},
+                                    {"hysteresis_area", pass.curve.hysteresis_area, energy},
+                                    {"kinetic_loss", pass.curve.kinetic_loss, energy}};
+  const Restitution r = restitution(pass.measured.motion, pass.curve);
+  if (pass.curve.outcome == Outcome::bounce && !std::isnan(r.e.value)) numbers.push_back({"e", r.e, 1});
+  return numbers;
+}
+
+std::vector<JudgedNumber> hertz_numbers(const DumpQuestion& q, const Measuring& m) {
+  const Pass pass = pass_of(q, m);
+  require_known_ratio(q.run, pass.measured.swept.tables[0], pass.radii);
+  const HertzResult hertz =
+      told_of(q.run, [&] { return fit_hertz_with_spread(hertz_data(pass.curve, pass.radii), m.hertz); });
+  if (!hertz.fit.fit.usable) throw InputError(fmt::format("{}: the Hertz fit is not usable: {}", q.run.dump.string(), hertz.fit.fit.reason));
+  return {{"E_star", hertz.modulus}, {"R", hertz.radius}};
+}
+
+std::vector<JudgedNumber> energy_numbers(const DumpQuestion& q, const Measuring& m) {
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  analyses.push_back(make_energy(choose_potential(q.run, q.potential).column));
+  const MeasuredMotion measured = measure_motion(q.run, parts_for_energy(q.run), std::move(analyses), m.sweeping);
+  const MeasuredEnergy energy = measure_energy(q.run, measured, measured.swept.tables[1], find_radii(q.run, q.options), q.potential);
+  if (!energy.budget) throw InputError(q.run.dump.string() + ": " + energy.budget_obstacle);
+  const double scale = std::abs(energy.budget->K_p_initial.value);
+  return {{"K_p_initial", energy.budget->K_p_initial},
+          {"delta_K_p", energy.budget->delta_K_p, scale},
+          {"delta_K_t", energy.budget->delta_K_t, scale},
+          {"delta_W", energy.budget->delta_W, scale}};
+}
+
+std::vector<JudgedNumber> compression_numbers(const DumpQuestion& q, const Measuring& m) {
+  const CompressedRun run = measure_compression(q.run, q.options, m.sweeping);
+  const Compressing c = compressing(run, q.offset);
+  const MaximumCompression& most = c.by[static_cast<std::size_t>(m.split)];
+  return {{"delta_max", most.delta}, {"t_max", most.time}};
+}
+
+}  // namespace
+
+AccuracySubject force_subject(const DumpQuestion& question) {
+  return dump_subject("force", question, together(sweep_knobs(), {source_knob(question.run), window_knob()}), force_numbers);
+}
+
+AccuracySubject fit_hertz_subject(const DumpQuestion& question) {
+  return dump_subject("fit-hertz", question,
+                      together(together(sweep_knobs(), {source_knob(question.run), window_knob()}), hertz_knobs()), hertz_numbers);
+}
+
+AccuracySubject energy_subject(const DumpQuestion& question) {
+  return dump_subject("energy", question, sweep_knobs(), energy_numbers);
+}
+
+AccuracySubject compress_subject(const DumpQuestion& question) {
+  const auto split = choice_knob("split", "what an atom counts for: its side or its body", split_names,
+                                 [](std::size_t k) { return split_names[k]; },
+                                 [](Measuring& m, std::size_t k) { m.split = static_cast<Split>(k); });
+  return dump_subject("compress", question, together(sweep_knobs(), {split}), compression_numbers);
+}
+
+}  // namespace mdana

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/accuracy.hpp"
+
+namespace mdana {
+namespace {
+
+/// A column of texts.
+template <class Text>
+void add_texts(Table& table, const char* name, std::span<const AccuracyRow> rows, Text&& text) {
+  std::vector<std::string> labels;
+  std::vector<double> column;
+  for (const AccuracyRow& row : rows) {
+    const std::string label = text(row);
+    auto at = std::ranges::find(labels, label);
+    if (at == labels.end()) at = labels.insert(at, label);
+    column.push_back(static_cast<double>(at - labels.begin()));
+  }
+  table.add_column({name, dimension::none, std::move(labels)}, std::move(column));
+}
+
+template <class Number>
+void add_numbers(Table& table, const char* name, std::span<const AccuracyRow> rows, Number&& number,
+                 Dimension dimension = dimension::none) {
+  std::vector<double> column;
+  for (const AccuracyRow& row : rows) column.push_back(number(row));
+  table.add_column({name, dimension}, std::move(column));
+}
+
+std::string curve_of(const AccuracyRow& row) {
+  return fmt::format("{}{}{}: {}: {}", row.input, row.input.empty() ? "" : ": ", row.subject, row.knob, row.quantity);
+}
+
+}  // namespace
+
+Table accuracy_table(std::span<const AccuracyRow> rows) {
+  Table table;
+  add_texts(table, "input", rows, [](const AccuracyRow& r) { return r.input; });
+  add_texts(table, "subject", rows, [](const AccuracyRow& r) { return r.subject; });
+  add_texts(table, "knob", rows, [](const AccuracyRow& r) { return r.knob; });
+  add_texts(table, "setting", rows, [](const AccuracyRow& r) { return r.setting; });
+  add_numbers(table, "number", rows, [](const AccuracyRow& r) { return r.number; });
+  add_texts(table, "quantity", rows, [](const AccuracyRow& r) { return r.quantity; });
+  add_texts(table, "curve", rows, curve_of);
+  add_numbers(table, "value", rows, [](const AccuracyRow& r) { return r.value; });
+  add_numbers(table, "error", rows, [](const AccuracyRow& r) { return r.error; });
+  add_numbers(table, "stated", rows, [](const AccuracyRow& r) { return r.stated; });
+  add_numbers(table, "order", rows, [](const AccuracyRow& r) { return r.order; });
+  add_numbers(table, "seconds", rows, [](const AccuracyRow& r) { return r.cost.seconds; });
+  add_numbers(table, "spread", rows, [](const AccuracyRow& r) { return r.cost.spread; });
+  add_numbers(table, "memory", rows, [](const AccuracyRow& r) { return r.cost.memory; });
+  return table;
+}
+
+}  // namespace mdana
