@@ -109,6 +109,7 @@ std::vector<PublishedValue> AnalysedRun::numbers() const {
                                   {"F_min_loading", curve.force_min_loading},
                                   {"delta_max", curve.delta_max},
                                   {"hysteresis_area", curve.hysteresis_area}};
+  if (restitution.e.value > 0) all.push_back({"e", restitution.e});
   if (touch())
     for (const ContactRadiusNumbers& n : contact.definitions) {
       const std::string prefix = "contact_radius." + std::string(n.definition);
@@ -123,7 +124,7 @@ std::vector<PublishedValue> AnalysedRun::numbers() const {
 }
 
 /// Parts that numbers() are of.
-constexpr std::array published{Part::force, Part::contact_radius, Part::contact_areas, Part::hertz_fit};
+constexpr std::array published{Part::force, Part::restitution, Part::contact_radius, Part::contact_areas, Part::hertz_fit};
 
 RunWishes same_numbers(const AnalysedRun& analysed) {
   RunWishes wishes;

@@ -86,12 +86,11 @@ std::string if_structure(const Asked& a) {
   return first_of({of_spheres(a), a.wishes.structure ? "" : "the study file says defects = false"});
 }
 
-std::string if_checked(const Asked& a, bool wanted, const char* setting) {
-  if (a.interaction() == Interaction::aggregate) return "not measured for aggregates yet";
+std::string if_checked(bool wanted, const char* setting) {
   return wanted ? "" : fmt::format("the study file says {} = false", setting);
 }
-std::string if_accuracy(const Asked& a) { return if_checked(a, a.wishes.accuracy, "accuracy"); }
-std::string if_stability(const Asked& a) { return if_checked(a, a.wishes.stability, "stability"); }
+std::string if_accuracy(const Asked& a) { return if_checked(a.wishes.accuracy, "accuracy"); }
+std::string if_stability(const Asked& a) { return if_checked(a.wishes.stability, "stability"); }
 
 // ---- what the dump and the build allow -------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 #include "reports/study/aggregate_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "readers/input_error.hpp"
 #include "reports/compression_study.hpp"
 #include "reports/network.hpp"
+#include "reports/study/run_checks.hpp"
 #include "reports/study/chosen_frames.hpp"
 
 namespace mdana {
@@ -98,6 +100,25 @@ std::vector<double> column(const Table& table, const std::string& name) {
   return {values.begin(), values.end()};
 }
 
+/// Error against run time over the stride, and digits that the printed ones fix.
+void check(RunRecord& record, const Plan& plan, const Run& run, const SweepOptions& sweeping) {
+  std::vector<AccuracyRow> accuracy;
+  std::vector<StabilityRow> stability;
+  if (plan.has(Part::accuracy)) {
+    DumpQuestion question{run, {}, sweeping};
+    question.split = study_split;
+    const AccuracySubject subject = compress_subject(question);
+    accuracy = accuracy_rows(subject, std::array{subject.knob("stride")});
+  }
+  const auto again = [&](const SweepOptions& moved) {
+    Document document("report", run);
+    add_compression(document, measure_compression(run, {}, moved), study_split, {});
+    return document.numbers();
+  };
+  if (plan.has(Part::stability)) stability = stability_rows(record.numbers, again, sweeping);
+  add_checks(record, accuracy, stability);
+}
+
 }  // namespace
 
 RunRecord aggregate_record(const RunTask& task, const Run& run, const SweepOptions& sweeping) {
@@ -114,6 +135,7 @@ RunRecord aggregate_record(const RunTask& task, const Run& run, const SweepOptio
   RunRecord record;
   record.document = document.content();
   record.numbers = document.numbers();
+  check(record, plan, run, sweeping);
   record.parts = parts_of(measured);
   record.tables = {{"approach", approach_table(measured)}, {"pairs", pair_table(c.impact, delta_max)},
                    {"grain_law", grain_table(run, measured.radii)}};

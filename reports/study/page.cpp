@@ -26,9 +26,11 @@ std::string quiet(const std::string& text) { return element("p", escape(text), "
 std::string warning(const std::string& text) { return element("p", escape(text), "class=\"warning\""); }
 
 /// A published number as text; "left out" if there is none.
+/// With a flag where the dump fixes few of its digits.
 std::string number(const ReportedRun& run, const char* name) {
   const Value* value = run.number(name);
-  return value ? to_text(*value, run.units()) : "left out";
+  if (!value) return "left out";
+  return to_text(*value, run.units()) + (run.weak(name) ? " (weak: fewer than 3 digits are stable)" : "");
 }
 
 std::vector<std::string> summary_row(const ReportedRun& run) {
@@ -96,7 +98,7 @@ std::string inputs_text(const Json& inputs) {
 /// All published numbers of a run.
 std::string numbers_table(const ReportedRun& run) {
   std::vector<std::vector<std::string>> rows;
-  for (const PublishedValue& n : run.numbers) rows.push_back({n.name, to_text(n.value, run.units())});
+  for (const PublishedValue& n : run.numbers) rows.push_back({n.name, number(run, n.name.c_str())});
   return html::table({"number", "value"}, rows);
 }
 
@@ -222,7 +224,7 @@ std::string stability_table(const Json& stability) {
       return r[name].is_number() ? fmt::format(fmt::runtime(format), r[name].get<double>()) : "not determined";
     };
     rows.push_back({r["quantity"], cell("value", "{:.6g}"), cell("change", "{:.1e}"), cell("digits", "{:.1f}"),
-                    digits < StabilityRow::least_stable_digits ? "few digits" : "stable"});
+                    digits < StabilityRow::least_stable_digits ? "weak" : "stable"});
   }
   return html::table({"number", "value", "greatest change", "digits kept", "verdict"}, rows, 1);
 }
@@ -231,7 +233,7 @@ std::string stability_section(const PageContent& content) {
   std::string text = heading(2, "Numerical stability", "stability");
   text += paragraph(fmt::format("Digits of each published number that survive when every number in the dump is moved at "
                                 "random within its last printed digit (the worst of {} repetitions). Fewer than {} digits "
-                                "are flagged.", stability_repetitions, static_cast<int>(StabilityRow::least_stable_digits)));
+                                "are flagged as weak wherever the number stands.", stability_repetitions, static_cast<int>(StabilityRow::least_stable_digits)));
   for (const auto& section : content.sections)
     if (has_rows(*section.run, "stability"))
       text += heading(3, section.run->name) + stability_table(section.run->document["stability"]);

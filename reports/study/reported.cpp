@@ -141,6 +141,13 @@ const Value* ReportedRun::number(std::string_view wanted) const {
   return at == numbers.end() ? nullptr : &at->value;
 }
 
+bool ReportedRun::weak(std::string_view wanted) const {
+  const auto rows = document.find("stability");
+  return rows != document.end() && std::ranges::any_of(*rows, [&](const auto& r) {
+           return r["quantity"] == wanted && r.value("weak", false);
+         });
+}
+
 std::string ReportedRun::text(const char* wanted) const {
   const auto at = document.find(wanted);
   return at != document.end() && at->is_string() ? at->get<std::string>() : std::string();
@@ -167,6 +174,12 @@ Table runs_table(Runs runs) {
       return value ? value->error.value_or(unknown) : unknown;
     });
   }
+  add_labels(table, "weak", runs, [](const ReportedRun& r) {
+    std::string names;  // of numbers of which the dump fixes fewer than three digits
+    for (const PublishedValue& n : r.numbers)
+      if (r.weak(n.name)) names += (names.empty() ? "" : " ") + n.name;
+    return names;
+  });
   add_origin(table, runs);
   return table;
 }

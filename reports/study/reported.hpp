@@ -23,6 +23,7 @@ struct ReportedRun {
   bool measured() const { return failure.empty(); }
   bool aggregate() const { return scene.interaction == Interaction::aggregate; }
   const Value* number(std::string_view name) const;
+  bool weak(std::string_view name) const;  ///< the printed digits of the dump fix fewer than three of it
   std::string text(const char* name) const;  ///< of the document; empty if there is none
   Units units() const;                       ///< of a measured run
   double velocity() const;                   ///< as generated, else as measured before contact; NaN if unknown

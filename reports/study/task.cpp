@@ -5,46 +5,15 @@
 
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
-#include "reports/accuracy_subjects.hpp"
 #include "reports/study/aggregate_record.hpp"
 #include "reports/study/chosen_frames.hpp"
+#include "reports/study/run_checks.hpp"
 #include "reports/study/run_figures.hpp"
 
 namespace mdana {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json accuracy_json(const std::vector<AccuracyRow>& accuracy) {
-  Json rows = Json::array();
-  for (const AccuracyRow& r : accuracy)
-    rows.push_back({{"knob", r.knob},
-                    {"setting", r.setting},
-                    {"quantity", r.quantity},
-                    {"value", r.value},
-                    {"relative_error", r.error},
-                    {"stated", r.stated},
-                    {"seconds", r.cost.seconds},
-                    {"spread", r.cost.spread},
-                    {"memory", r.cost.memory}});
-  return rows;
-}
-
-/// Error against run time of all published numbers.
-std::vector<AccuracyRow> accuracy_rows(const Run& run, const AnalysedRun& full, const SweepOptions& sweeping) {
-  const AccuracySubject subject = run_subject(run, full, sweeping);
-  std::vector<AccuracyRow> rows;
-  for (const Knob& knob : subject.knobs)
-    for (AccuracyRow& row : climb(subject, knob, report_repetitions).rows) rows.push_back(std::move(row));
-  return rows;
-}
-
-Json stability_json(const std::vector<StabilityRow>& stability) {
-  Json rows = Json::array();
-  for (const StabilityRow& r : stability)
-    rows.push_back({{"quantity", r.quantity}, {"value", r.value}, {"change", r.change}, {"digits", r.digits}});
-  return rows;
-}
 
 /// E*, R and gamma of a run, where they are known, and from where.
 Overlay constants_of(const SphereRun& entry, const std::optional<Companion>& companion) {
@@ -170,12 +139,14 @@ RunRecord sphere_record(const RunTask& task, const Run& run, const SweepOptions&
   if (entry.result.defects) add_defects_to(record, *entry.result.defects, document);
   if (entry.overlay)
     document.json("overlay", {{"law", entry.overlay->law->name}, {"source", entry.overlay->source}});
-  if (entry.result.plan.has(Part::accuracy)) entry.accuracy = accuracy_rows(run, entry.result, sweeping);
+  if (entry.result.plan.has(Part::accuracy)) {
+    const AccuracySubject subject = run_subject(run, entry.result, sweeping);
+    entry.accuracy = accuracy_rows(subject, subject.knobs);
+  }
   if (entry.result.plan.has(Part::stability)) entry.stability = stability_rows(run, entry.result, sweeping);
-  document.json("accuracy", accuracy_json(entry.accuracy));
-  document.json("stability", stability_json(entry.stability));
   record.document = document.content();
   record.numbers = document.numbers();
+  add_checks(record, entry.accuracy, entry.stability);
   record.figures = run_figures(entry);
   add_chosen_frames(record, task, run, record.tables[0].table, entry.result.radii,
                     entry.result.defects ? &*entry.result.defects : nullptr, sweeping);

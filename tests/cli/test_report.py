@@ -11,6 +11,13 @@ from running import Case, main, parse_json
 SAMPLE = DUMP.parent
 
 
+def without_digits(told):
+    """As a single command tells it, which does not move the digits of the dump."""
+    if not isinstance(told, dict):
+        return told
+    return {key: value for key, value in told.items() if key not in ("stable_digits", "weak")}
+
+
 class Page(html.parser.HTMLParser):
     """Headings, pictures, and whatever the page would load from elsewhere."""
 
@@ -81,7 +88,7 @@ class Report(Case):
         force = self.document("force", DUMP)
         contact = self.document("contact-radius", DUMP)
         for name in ("outcome", "F_max", "F_min_loading", "delta_max", "hysteresis_area"):
-            self.assertEqual(entry[name], force[name], name)
+            self.assertEqual(without_digits(entry[name]), force[name], name)
         self.assertEqual(entry["contact_radius"], contact["contact_radius"])
         for name in ("size", "hash", "format"):
             self.assertEqual(entry["inputs"][0][name], force["inputs"][0][name])

@@ -45,6 +45,23 @@ class Outputs(Study):
         for name in ("F_max", "hysteresis_area", "far_side", "outcome"):
             self.assertEqual(documents["adhesive-tiny"][name], single[name], name)
 
+    def test_weak_numbers_are_flagged_wherever_they_stand(self):
+        """The dump of hertz-tiny has five digits, and its least force is a hundredth of the greatest."""
+        self.study(accuracy=True, stability=True)
+        self.report()
+        rows = {row["run"]: row for row in self.rows()}
+        for run in self.results()["runs"]:
+            weak = [r["quantity"] for r in run["stability"] if r["digits"] < 3]
+            self.assertEqual(rows[run["name"]]["weak"].split(), weak)
+            for check in run["stability"]:
+                number = run
+                for part in check["quantity"].split("."):
+                    number = number[part]
+                self.assertEqual(number["stable_digits"], check["digits"], check["quantity"])
+                self.assertEqual(number["weak"], check["quantity"] in weak)
+        self.assertEqual(rows["hertz-tiny"]["weak"], "F_min_loading")
+        self.assertGreater(len(self.results()["runs"][1]["accuracy"]), 0, "of the aggregates")
+
     def test_any_number_of_jobs_and_threads(self):
         self.study()
         self.report("--jobs", 1, "--threads", 1)
