@@ -15,7 +15,7 @@ def without_digits(told):
     """As a single command tells it, which does not move the digits of the dump."""
     if not isinstance(told, dict):
         return told
-    return {key: value for key, value in told.items() if key not in ("stable_digits", "weak")}
+    return {key: without_digits(value) for key, value in told.items() if key not in ("stable_digits", "weak")}
 
 
 class Page(html.parser.HTMLParser):
@@ -89,7 +89,7 @@ class Report(Case):
         contact = self.document("contact-radius", DUMP)
         for name in ("outcome", "F_max", "F_min_loading", "delta_max", "hysteresis_area"):
             self.assertEqual(without_digits(entry[name]), force[name], name)
-        self.assertEqual(entry["contact_radius"], contact["contact_radius"])
+        self.assertEqual(without_digits(entry["contact_radius"]), contact["contact_radius"])
         for name in ("size", "hash", "format"):
             self.assertEqual(entry["inputs"][0][name], force["inputs"][0][name])
         self.assertEqual(entry["inputs"][0]["path"], DUMP.name)  # from the directory of the study
