@@ -139,6 +139,7 @@ std::string group_of(const Scene& scene) {
   std::string group(name(scene.interaction));
   if (scene.interaction == Interaction::aggregate && scene.filling_factor)
     group += fmt::format(", phi = {:g}", *scene.filling_factor);
+  if (scene.interaction == Interaction::adhesive && !scene.surface_energy) group += ", gamma not known";
   if (scene.radii.size() == 2)
     group += scene.radii[0] == scene.radii[1] ? fmt::format(", R = {:g}", scene.radii[0])
                                               : fmt::format(", R = {:g} and {:g}", scene.radii[0], scene.radii[1]);

@@ -36,6 +36,14 @@ Figure with_own_name(Figure figure, const std::vector<Figure>& others) {
   return figure;
 }
 
+/// Of the runs that a table of fits over runs is made of: Hertz scenes, or aggregates.
+std::optional<Units> units_of_fits(std::string_view table, Runs runs) {
+  const Interaction interaction = table == "sizes" ? Interaction::hertz : Interaction::aggregate;
+  for (const ReportedRun* run : runs)
+    if (run->measured() && run->scene.interaction == interaction) return run->units();
+  return std::nullopt;
+}
+
 std::vector<const ReportedRun*> of_units(Runs runs, Units units) {
   std::vector<const ReportedRun*> all;
   for (const ReportedRun* run : runs)
@@ -120,7 +128,7 @@ std::vector<Figure> PooledFigures::finish(Runs runs, const StudyFits& fits) {
     const auto table = std::ranges::find(fits.tables, kind.table, &NamedTable::name);
     if (kind.scope == FigureScope::runs) finish_points(kind, runs, fits);
     if (kind.scope == FigureScope::study && table != fits.tables.end() && can_draw(kind, table->table)) {
-      Figure figure = empty_figure(kind, std::nullopt);
+      Figure figure = empty_figure(kind, units_of_fits(kind.table, runs));
       figure.series = series_of(kind, table->table, std::string(kind.y.front().label));
       figure.alt = told(kind, "", figure.series);
       finished_[std::string(kind.name)].push_back(std::move(figure));

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A study: its file, the cache of its report, what is run anew and why, and stops at any moment."""
 
+import re
 import shutil
 import signal
 import subprocess
@@ -12,6 +13,11 @@ from studies import NAMES, SAMPLE, Study
 
 
 class StudyFile(Study):
+    def test_runs_with_another_attraction_are_a_group_of_their_own(self):
+        self.edit("adhesive-tiny", "gamma = 3.17", "")
+        groups = re.findall(r'(?m)^group = "(.*)"', self.mdana("study", "init", self.runs, "--print").stdout)
+        self.assertIn("adhesive, gamma not known, R = 5", groups)
+
     def test_init_lists_the_runs(self):
         done = self.mdana("study", "init", self.runs)
         self.assertEqual(done.stdout, f"{self.runs / 'study.toml'}\n")
