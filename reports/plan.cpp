@@ -58,7 +58,7 @@ void consider(const Rule& rule, const Run& run, const PlanWishes& wishes, Plan& 
   std::string reason = wishes.insist ? std::string() : rule.not_needed(asked);
   if (reason.empty()) reason = rule.obstacle(asked);
   if (reason.empty() && !wishes.insist && !rule.command.empty())
-    reason = fmt::format("not part of a report; mdana {} tells it", rule.command);
+    reason = fmt::format("a report does not tell it of every frame; mdana {} does", rule.command);
   if (!reason.empty()) return plan.left_out.push_back({std::string(rule.name), reason});
   plan.computed.push_back({rule.part, names_in(run, rule.columns(asked)), rule.reason(asked)});
 }

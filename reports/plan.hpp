@@ -29,6 +29,7 @@ enum class Part {
   compression,
   coordination,
   network,
+  pictures,
   accuracy,
   stability
 };
@@ -74,7 +75,7 @@ struct PlanWishes {
   std::vector<Part> parts;
   /// The parts are wanted whatever the scene is of; else what the scene does not call for is left out.
   bool insist = false;
-  bool structure = true, accuracy = true, stability = true;  ///< settings of a study
+  bool structure = true, pictures = true, accuracy = true, stability = true;  ///< settings of a study
   std::optional<ForceSource> source;  ///< of the force; the best one that the dump has
   PotentialOptions potential;
   std::optional<double> layer;  ///< of the contact radius [length]; see half_layer

@@ -171,6 +171,7 @@ class CostEstimate {
       case Part::compression: return add_timed(part, member_made("halves", run_), probe);
       case Part::coordination: return time_network(part, probe, 1);
       case Part::network: return time_network(part, probe, frames());
+      case Part::pictures: return time_pictures(probe);
       case Part::surface_energy: return add_timed(part, member_made("surface_energy", run_), probe, 0, 1);
       case Part::hertz_fit: return time_fits();
       default: return;
@@ -214,6 +215,13 @@ class CostEstimate {
     const double setup = cost_of([&] { network.push_back(make_contact_network(network_setup(run_, find_radii(run_, {}), {}).settings)); });
     serial_ += setup;
     add(name(part), setup + above_base(std::move(network), probe) * frames_used, lattice_bytes());
+  }
+
+  /// Three frames are looked for and read once more; where there may be defects, three with their lines besides.
+  void time_pictures(const FrameProbe& probe) {
+    const double frame = plan_.has(Part::structure) ? 2 * base_ + above_base(lattice(true), probe) : base_;
+    serial_ += 3 * pass_;
+    add(name(Part::pictures), 3 * (pass_ + frame));
   }
 
   /// The last frame is looked for and its atoms are put into clusters, if the bodies separate: as those that only repel

@@ -89,6 +89,9 @@ std::string if_structure(const Asked& a) {
 std::string if_checked(bool wanted, const char* setting) {
   return wanted ? "" : fmt::format("the study file says {} = false", setting);
 }
+std::string if_pictures(const Asked& a) {
+  return a.wishes.pictures ? "" : "they are not among the kinds of figures in the study file";
+}
 std::string if_accuracy(const Asked& a) { return if_checked(a.wishes.accuracy, "accuracy"); }
 std::string if_stability(const Asked& a) { return if_checked(a.wishes.stability, "stability"); }
 
@@ -235,6 +238,9 @@ const std::array all_rules{
     Rule{Part::network, "contact network", of_aggregates, grains,
          [](const Asked&) -> Text { return "contacts of the grains in every frame"; },
          of_the_grains, "network"},
+    Rule{Part::pictures, "snapshots and views of defects", if_pictures, a_force,
+         [](const Asked&) -> Text { return "start, maximum compression and end: these frames once more, with dislocation lines"; },
+         [](const Asked&) { return ColumnSet{"x", "y", "z"}; }},
     Rule{Part::accuracy, "error against run time", if_accuracy, a_force,
          [](const Asked&) -> Text { return "the published numbers again, with fewer frames and other methods"; }, motion},
     Rule{Part::stability, "numerical stability", if_stability, a_force,

@@ -131,7 +131,7 @@ Published publish(const Run& run, const RunOptions& options, const SweepOptions&
   }
   PlanWishes asked;
   asked.parts = parts_of("report").value();
-  asked.structure = asked.accuracy = asked.stability = false;
+  asked.structure = asked.pictures = asked.accuracy = asked.stability = false;
   RunWishes wishes;
   wishes.plan = plan_run(run, asked);
   if (!wishes.plan.has(Part::hertz_fit)) wishes.radii = find_radii(run, options);

@@ -159,6 +159,7 @@ PlanWishes plan_wishes(const RunTask& task) {
   PlanWishes wishes;
   wishes.parts = parts_of("report").value();
   wishes.structure = task.defects;
+  wishes.pictures = task.snapshots;
   wishes.accuracy = task.accuracy;
   wishes.stability = task.stability;
   wishes.potential.log = task.log;

@@ -6,16 +6,9 @@ import re
 import shutil
 
 from running import SAMPLE as DUMP
-from running import Case, main, parse_json
+from running import Case, main, parse_json, without_digits
 
 SAMPLE = DUMP.parent
-
-
-def without_digits(told):
-    """As a single command tells it, which does not move the digits of the dump."""
-    if not isinstance(told, dict):
-        return told
-    return {key: without_digits(value) for key, value in told.items() if key not in ("stable_digits", "weak")}
 
 
 class Page(html.parser.HTMLParser):
