@@ -79,4 +79,4 @@ with tempfile.TemporaryDirectory() as directory:
         compare(name, dump, made(dump, noise))
     if len(sys.argv) > 2:
         compare("collision", sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))
-    memory_of_zone(dump, made(dump, 0, radius=30))
+    memory_of_zone(dump, made(dump, 0, 30))
