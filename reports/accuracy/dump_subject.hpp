@@ -41,4 +41,12 @@ DumpKnob window_knob();
 /// Several lists as one.
 std::vector<DumpKnob> together(std::vector<DumpKnob> first, std::vector<DumpKnob> more);
 
+/// A knob without a finest value, of names or numbers.
+template <class Elements, class Text, class Set>
+DumpKnob choice_knob(std::string name, std::string meaning, const Elements& elements, Text&& text, Set&& set) {
+  Knob knob{std::move(name), std::move(meaning), Reference::standard, 0, {}};
+  for (std::size_t k = 0; k < elements.size(); ++k) knob.values.push_back({std::string(text(k))});
+  return {std::move(knob), set};
+}
+
 }  // namespace mdana

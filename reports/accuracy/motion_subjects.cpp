@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force, Hertz fit, energy and compression of a dump, with their knobs.
+// Force, Hertz fit and energy of a dump, with their knobs.
 #include <algorithm>
 #include <array>
 
@@ -22,14 +22,6 @@ constexpr std::array<double, 3> greatest_forces{1, 0.75, 0.5};
 constexpr std::array<Loss, 3> losses{Loss::none, Loss::huber, Loss::cauchy};
 constexpr std::array<HertzWeights, 2> weights{HertzWeights::equal, HertzWeights::errors};
 constexpr std::array<std::string_view, 2> weight_names{"equal", "errors"};
-
-/// A knob without a finest value, of names or numbers.
-template <class Elements, class Text, class Set>
-DumpKnob choice_knob(std::string name, std::string meaning, const Elements& elements, Text&& text, Set&& set) {
-  Knob knob{std::move(name), std::move(meaning), Reference::standard, 0, {}};
-  for (std::size_t k = 0; k < elements.size(); ++k) knob.values.push_back({std::string(text(k))});
-  return {std::move(knob), set};
-}
 
 std::vector<DumpKnob> hertz_knobs() {
   const auto number = [](const auto& list) { return [&list](std::size_t k) { return fmt::format("{:g}", list[k]); }; };
@@ -105,13 +97,6 @@ std::vector<JudgedNumber> energy_numbers(const DumpQuestion& q, const Measuring&
           {"delta_W", energy.budget->delta_W, scale}};
 }
 
-std::vector<JudgedNumber> compression_numbers(const DumpQuestion& q, const Measuring& m) {
-  const CompressedRun run = measure_compression(q.run, q.options, m.sweeping);
-  const Compressing c = compressing(run, q.offset);
-  const MaximumCompression& most = c.by[static_cast<std::size_t>(m.split)];
-  return {{"delta_max", most.delta}, {"t_max", most.time}};
-}
-
 }  // namespace
 
 AccuracySubject force_subject(const DumpQuestion& question) {
@@ -125,13 +110,6 @@ AccuracySubject fit_hertz_subject(const DumpQuestion& question) {
 
 AccuracySubject energy_subject(const DumpQuestion& question) {
   return dump_subject("energy", question, sweep_knobs(), energy_numbers);
-}
-
-AccuracySubject compress_subject(const DumpQuestion& question) {
-  const auto split = choice_knob("split", "what an atom counts for: its side or its body", split_names,
-                                 [](std::size_t k) { return split_names[k]; },
-                                 [](Measuring& m, std::size_t k) { m.split = static_cast<Split>(k); });
-  return dump_subject("compress", question, together(sweep_knobs(), {split}), compression_numbers);
 }
 
 }  // namespace mdana
