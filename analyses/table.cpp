@@ -37,4 +37,15 @@ void Table::add_column(ColumnSpec spec, std::vector<double> values) {
   values_.push_back(std::move(values));
 }
 
+void Table::add_words(std::string name, std::span<const std::string> words) {
+  std::vector<std::string> labels;
+  std::vector<double> places;
+  for (const std::string& word : words) {
+    auto at = std::ranges::find(labels, word);
+    if (at == labels.end()) at = labels.insert(at, word);
+    places.push_back(static_cast<double>(at - labels.begin()));
+  }
+  add_column({std::move(name), dimension::none, std::move(labels)}, std::move(places));
+}
+
 }  // namespace mdana

@@ -36,6 +36,8 @@ class Table {
   void drop_last_row();  ///< of a table that has one
   /// Appends a column; as many values as rows (any number in an empty table).
   void add_column(ColumnSpec spec, std::vector<double> values);
+  /// The same of words: places in the list of those that there are, in the order in which they come first.
+  void add_words(std::string name, std::span<const std::string> words);
 
  private:
   std::vector<ColumnSpec> specs_;

@@ -23,15 +23,9 @@ std::optional<double> number_of(std::string_view cell, std::string_view name, co
 }
 
 void add_labels(Table& table, const CsvText& text, std::string_view name) {
-  std::vector<std::string> labels;
-  std::vector<double> values;
-  for (const CsvText::Row& row : text.rows) {
-    const std::string label(text.cell(row, name));
-    auto at = std::ranges::find(labels, label);
-    if (at == labels.end()) at = labels.insert(at, label);
-    values.push_back(static_cast<double>(at - labels.begin()));
-  }
-  table.add_column({std::string(name), dimension::none, std::move(labels)}, std::move(values));
+  std::vector<std::string> words;
+  for (const CsvText::Row& row : text.rows) words.emplace_back(text.cell(row, name));
+  table.add_words(std::string(name), words);
 }
 
 void add_column(Table& table, const CsvText& text, std::string_view name) {

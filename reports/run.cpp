@@ -23,6 +23,9 @@ Radii gyration_radii(const Run& run) {
           "sqrt(5/3) r_g of the first frame", 0};
 }
 
+/// So many steps that the time of one is lost in rounding to a millionth.
+bool starts_late(const FrameHeader& first) { return std::abs(first.step) > std::int64_t{1} << 32; }
+
 }  // namespace
 
 StatedUnits find_units(const RunOptions& options, const FrameHeader& first, const Scene& scene) {
@@ -70,9 +73,6 @@ Masses find_masses(const RunOptions& options, const FrameHeader& first, const Sc
 Scene find_scene(const RunOptions& options) {
   return options.scene.empty() ? scene_beside(options.dump) : load_scene(options.scene);
 }
-
-/// So many steps that the time of one is lost in rounding to a millionth.
-static bool starts_late(const FrameHeader& first) { return std::abs(first.step) > std::int64_t{1} << 32; }
 
 Run prepare_run(const RunOptions& options) {
   FrameHeader first = first_header(options.dump);

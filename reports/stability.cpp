@@ -3,8 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mdana {
+namespace {
+
+/// Infinite if the number is not determined there.
+double change_of(const StabilityRow& row, const std::vector<PublishedValue>& numbers) {
+  const auto n = std::ranges::find(numbers, row.quantity, &PublishedValue::name);
+  const bool determined = n != numbers.end() && !std::isnan(n->value.value);
+  return determined ? std::abs(n->value.value - row.value) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 std::vector<StabilityRow> stability_rows(const std::vector<PublishedValue>& full, const NumbersOfRun& again,
                                          const SweepOptions& options) {
@@ -15,9 +26,7 @@ std::vector<StabilityRow> stability_rows(const std::vector<PublishedValue>& full
     SweepOptions moved = options;
     moved.last_digit_seed = static_cast<std::uint64_t>(seed);
     const std::vector<PublishedValue> numbers = again(moved);
-    for (StabilityRow& row : rows)
-      if (const auto n = std::ranges::find(numbers, row.quantity, &PublishedValue::name); n != numbers.end())
-        row.change = std::max(row.change, std::abs(n->value.value - row.value));
+    for (StabilityRow& row : rows) row.change = std::max(row.change, change_of(row, numbers));
   }
   for (StabilityRow& row : rows)
     row.digits = row.change == 0

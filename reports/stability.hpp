@@ -14,7 +14,7 @@ namespace mdana {
 struct StabilityRow {
   std::string quantity;
   double value = 0;
-  double change = 0;  ///< largest over the repetitions
+  double change = 0;  ///< largest over the repetitions, infinite if one does not determine the number
   double digits = 0;  ///< -log10 |change/value|, at most 15
   std::optional<double> error = {};  ///< as it is stated
 

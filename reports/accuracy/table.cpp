@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "reports/accuracy.hpp"
@@ -11,15 +9,9 @@ namespace {
 /// A column of texts.
 template <class Text>
 void add_texts(Table& table, const char* name, std::span<const AccuracyRow> rows, Text&& text) {
-  std::vector<std::string> labels;
-  std::vector<double> column;
-  for (const AccuracyRow& row : rows) {
-    const std::string label = text(row);
-    auto at = std::ranges::find(labels, label);
-    if (at == labels.end()) at = labels.insert(at, label);
-    column.push_back(static_cast<double>(at - labels.begin()));
-  }
-  table.add_column({name, dimension::none, std::move(labels)}, std::move(column));
+  std::vector<std::string> words;
+  for (const AccuracyRow& row : rows) words.push_back(text(row));
+  table.add_words(name, words);
 }
 
 template <class Number>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -28,50 +28,33 @@ bool is_catalogue(std::string_view what) {
   return what == "all" || std::ranges::find(catalogues, what, &Catalogue::name) != catalogues.end();
 }
 
-/// A column of words: the rows' places in a list of labels.
-class Words {
- public:
-  void add(const std::string& word) {
-    if (labels_.empty() || labels_.back() != word) labels_.push_back(word);
-    places_.push_back(static_cast<double>(labels_.size() - 1));
-  }
-  void move_to(Table& table, const char* name) {
-    table.add_column({name, dimension::none, std::move(labels_)}, std::move(places_));
-  }
+template <class Row, class Text>
+void add_words(Table& table, const char* name, const std::vector<Row>& rows, Text&& text) {
+  std::vector<std::string> words;
+  for (const Row& row : rows) words.emplace_back(text(row));
+  table.add_words(name, words);
+}
 
- private:
-  std::vector<std::string> labels_;
-  std::vector<double> places_;
-};
+template <class Row, class Number>
+void add_numbers(Table& table, const char* name, const std::vector<Row>& rows, Number&& number, Dimension dimension = {}) {
+  std::vector<double> column;
+  for (const Row& row : rows) column.push_back(static_cast<double>(number(row)));
+  table.add_column({name, dimension}, std::move(column));
+}
 
 Table case_table(const std::vector<ExtremeCase>& cases) {
-  Words member, what, quantity, verdict;
-  std::vector<double> computed, exact, digits, needed, condition, evaluations, seconds;
-  for (const ExtremeCase& c : cases) {
-    member.add(c.member);
-    what.add(c.what);
-    quantity.add(c.quantity);
-    verdict.add(std::string(name(c.verdict)));
-    computed.push_back(c.computed);
-    exact.push_back(c.exact);
-    digits.push_back(c.digits);
-    needed.push_back(c.needed);
-    condition.push_back(c.condition);
-    evaluations.push_back(static_cast<double>(c.evaluations));
-    seconds.push_back(c.seconds);
-  }
   Table table;
-  member.move_to(table, "member");
-  what.move_to(table, "case");
-  quantity.move_to(table, "quantity");
-  table.add_column({"computed", dimension::none}, std::move(computed));
-  table.add_column({"exact", dimension::none}, std::move(exact));
-  table.add_column({"digits", dimension::none}, std::move(digits));
-  table.add_column({"needed", dimension::none}, std::move(needed));
-  table.add_column({"condition", dimension::none}, std::move(condition));
-  table.add_column({"evaluations", dimension::none}, std::move(evaluations));
-  table.add_column({"seconds", dimension::time}, std::move(seconds));
-  verdict.move_to(table, "verdict");
+  add_words(table, "member", cases, [](const ExtremeCase& c) { return c.member; });
+  add_words(table, "case", cases, [](const ExtremeCase& c) { return c.what; });
+  add_words(table, "quantity", cases, [](const ExtremeCase& c) { return c.quantity; });
+  add_numbers(table, "computed", cases, [](const ExtremeCase& c) { return c.computed; });
+  add_numbers(table, "exact", cases, [](const ExtremeCase& c) { return c.exact; });
+  add_numbers(table, "digits", cases, [](const ExtremeCase& c) { return c.digits; });
+  add_numbers(table, "needed", cases, [](const ExtremeCase& c) { return c.needed; });
+  add_numbers(table, "condition", cases, [](const ExtremeCase& c) { return c.condition; });
+  add_numbers(table, "evaluations", cases, [](const ExtremeCase& c) { return c.evaluations; });
+  add_numbers(table, "seconds", cases, [](const ExtremeCase& c) { return c.seconds; }, dimension::time);
+  add_words(table, "verdict", cases, [](const ExtremeCase& c) { return name(c.verdict); });
   return table;
 }
 
@@ -120,14 +103,16 @@ int examine_catalogues(const Values& values, std::string_view what) {
 /// All that mdana collision or mdana compress publishes of a run, and the condition of its fit.
 struct Published {
   std::vector<PublishedValue> numbers;
-  std::optional<double> condition;
+  SweepResult swept;
+  std::optional<double> condition = {};
 };
 
 Published publish(const Run& run, const RunOptions& options, const SweepOptions& sweeping) {
   Document document("stability", run);
   if (run.scene.interaction == Interaction::aggregate) {
-    add_compression(document, measure_compression(run, options, sweeping), Split::sign, {});
-    return {document.numbers(), {}};
+    const CompressedRun compressed = measure_compression(run, options, sweeping);
+    add_compression(document, compressed, Split::sign, {});
+    return {document.numbers(), compressed.measured.swept};
   }
   PlanWishes asked;
   asked.parts = parts_of("report").value();
@@ -137,9 +122,9 @@ Published publish(const Run& run, const RunOptions& options, const SweepOptions&
   if (!wishes.plan.has(Part::hertz_fit)) wishes.radii = find_radii(run, options);
   const AnalysedRun analysed = analyse_run(run, wishes, sweeping);
   add_collision(document, run, analysed, {analysed.radii.reduced(), 0, 0}, sweeping, false);
-  if (!analysed.hertz) return {document.numbers(), {}};
+  if (!analysed.hertz) return {document.numbers(), analysed.measured.swept};
   add_hertz(document, run, *analysed.hertz);
-  return {document.numbers(), analysed.hertz->fit.fit.condition};
+  return {document.numbers(), analysed.measured.swept, analysed.hertz->fit.fit.condition};
 }
 
 std::string verdict(const StabilityRow& row) {
@@ -148,23 +133,13 @@ std::string verdict(const StabilityRow& row) {
 }
 
 Table stability_table(const std::vector<StabilityRow>& rows) {
-  Words quantity, verdicts;
-  std::vector<double> value, error, change, digits;
-  for (const StabilityRow& row : rows) {
-    quantity.add(row.quantity);
-    verdicts.add(verdict(row));
-    value.push_back(row.value);
-    error.push_back(row.error.value_or(std::numeric_limits<double>::quiet_NaN()));
-    change.push_back(row.change);
-    digits.push_back(row.digits);
-  }
   Table table;
-  quantity.move_to(table, "quantity");
-  table.add_column({"value", dimension::none}, std::move(value));
-  table.add_column({"error", dimension::none}, std::move(error));
-  table.add_column({"change", dimension::none}, std::move(change));
-  table.add_column({"digits", dimension::none}, std::move(digits));
-  verdicts.move_to(table, "verdict");
+  add_words(table, "quantity", rows, [](const StabilityRow& r) { return r.quantity; });
+  add_numbers(table, "value", rows, [](const StabilityRow& r) { return r.value; });
+  add_numbers(table, "error", rows, [](const StabilityRow& r) { return r.error.value_or(std::nan("")); });
+  add_numbers(table, "change", rows, [](const StabilityRow& r) { return r.change; });
+  add_numbers(table, "digits", rows, [](const StabilityRow& r) { return r.digits; });
+  add_words(table, "verdict", rows, verdict);
   return table;
 }
 
@@ -177,6 +152,7 @@ int examine_dump(const Values& values) {
   const auto again = [&](const SweepOptions& moved) { return publish(run, options, moved).numbers; };
   const std::vector<StabilityRow> rows = stability_rows(full.numbers, again, sweeping);
   Document document("stability", run);
+  document.sweep(full.swept, run.format);
   Json results = Json::array();
   long weak = 0;
   for (const StabilityRow& row : rows) {

@@ -52,10 +52,8 @@ class FitCases {
       const HertzFit fit = fit_hertz(points.data(), {.method = method});
       Judged judged;
       judged.condition(fit.fit.condition);
-      // The distance carries rounding of 2R into delta, which is that much smaller.
-      const double needed = digits_left(fit.fit.condition) - std::max(0.0, std::log10(2 * points.radius / points.to));
-      judged.number("E*", fit.modulus.value, points.modulus, std::max(0.0, needed));
-      judged.number("R", fit.radius.value, points.radius, std::max(0.0, needed));
+      judged.number("E*", fit.modulus.value, points.modulus, digits_left(fit.fit.condition));
+      judged.number("R", fit.radius.value, points.radius, digits_left(fit.fit.condition));
       return judged;
     });
   }
@@ -107,7 +105,7 @@ class FitCases {
       judged.condition(fit.fit.condition);
       for (const ForceEstimate& p : fit.parameters)
         judged.number(p.name, p.value, p.name == "gamma" ? truth.surface_energy : truth.modulus,
-                      std::max(0.0, digits_left(fit.fit.condition) - std::log10(data.radius_sum / (to - from))));
+                      digits_left(fit.fit.condition));
       return judged;
     });
   }

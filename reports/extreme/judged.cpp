@@ -40,7 +40,7 @@ void Judged::within_error(const std::string& name, const Value& computed, double
 
 void Judged::must_be_refused(const std::string& words, double computed) {
   const bool refused = !words.empty() && result_.told.find(words) != std::string::npos;
-    result_.computed = computed;
+  result_.computed = computed;
   result_.verdict = refused ? Verdict::refused : Verdict::accepted;
 }
 
@@ -54,9 +54,9 @@ ExtremeCase judge(std::string member, std::string what, const std::string& words
     const bool right = !words.empty() && result.told.find(words) != std::string::npos;
     result.verdict = right ? Verdict::refused : Verdict::lost;
   }
-  if (result.verdict == Verdict::kept && result.quantity.empty()) {  // nothing was told that could be wrong
-    result.verdict = Verdict::refused;
+  if (result.verdict == Verdict::kept && result.quantity.empty()) {
     result.told = "not determined";
+    result.verdict = words == result.told ? Verdict::refused : Verdict::lost;
   }
   result.member = std::move(member);
   result.what = std::move(what);

@@ -24,15 +24,9 @@ using Runs = std::span<const ReportedRun* const>;
 /// A column of labels in the order in which they come first.
 template <class Label>
 void add_labels(Table& table, const std::string& name, Runs runs, Label&& label) {
-  std::vector<std::string> labels;
-  std::vector<double> values;
-  for (const ReportedRun* run : runs) {
-    const std::string text = label(*run);
-    auto at = std::ranges::find(labels, text);
-    if (at == labels.end()) at = labels.insert(at, text);
-    values.push_back(static_cast<double>(at - labels.begin()));
-  }
-  if (!labels.empty()) table.add_column({name, dimension::none, std::move(labels)}, std::move(values));
+  std::vector<std::string> words;
+  for (const ReportedRun* run : runs) words.push_back(label(*run));
+  if (!words.empty()) table.add_words(name, words);
 }
 
 template <class Number>
