@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analyses/dislocation_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mdana {
@@ -16,13 +17,14 @@ std::string_view name(LineEnd end) {
 }
 
 Value DislocationLines::length(BodyIndex body, std::optional<LineFamily> family) const {
-  double sum = 0, square = 0;
+  double sum = 0, alike = 0, square = 0;
   for (const DislocationSegment& s : segments) {
     if ((body != 0 && s.body != body) || (family && s.family != *family)) continue;
     sum += s.length.value;
-    square += *s.length.error * *s.length.error;
+    if (s.ends[0] != LineEnd::closed) alike += *s.length.error;
+    else square += *s.length.error * *s.length.error;
   }
-  return {sum, std::sqrt(square), dimension::length};
+  return {sum, std::hypot(alike, std::sqrt(square)), dimension::length};
 }
 
 double DislocationLines::length_below(double shortest) const {

@@ -76,7 +76,8 @@ struct DislocationLines {
   Value absorbed{0, 0, dimension::length};
   double residual = 0;  ///< sum over all nodes inside crystals of |sum of Burgers vectors| [lattice constants]
 
-  /// Of a body (0: of all) and a family, if one is told [length].
+  /// Of a body (0: of all) and a family, if one is told [length]. Ends shorten all lines alike, so errors of
+  /// lines that have ends add up; those of closed ones are independent.
   Value length(BodyIndex body, std::optional<LineFamily> family = {}) const;
   double length_below(double shortest) const;  ///< of the pieces shorter than that [length]
 };

@@ -208,14 +208,17 @@ double kinetic_noise(const RelativeMotion& motion, Units units, const ForceCurve
 
 /// By how much noise shifts the extreme of values up to a frame: of n that it does not tell apart (within two
 /// standard deviations) the greatest is sqrt(2 ln n) standard deviations off.
-double extreme_noise(const std::vector<double>& series, std::size_t last, double extreme, double noise) {
+template <class Noise>
+double extreme_noise(const std::vector<double>& series, std::size_t last, double extreme, Noise&& noise_at) {
+  const double noise = noise_at(static_cast<std::size_t>(std::ranges::find(series, extreme) - series.begin()));
   const auto near = std::count_if(series.begin(), series.begin() + static_cast<long>(last) + 1,
                                   [&](double value) { return std::abs(value - extreme) <= 2 * noise; });
   return noise * std::max(1.0, std::sqrt(2 * std::log(static_cast<double>(std::max<long>(near, 1)))));
 }
 
 void add_noise_of_extremes(const RelativeMotion& motion, const ForceSeries& series, ForceCurve& curve) {
-  const double force = std::max(series.noise, series.scatter), length = std::max(motion.position_noise, noise_of(curve.distance));
+  const auto force = [&](std::size_t i) { return series.noise_at(std::min(i, curve.force.size() - 1)); };
+  const auto length = [noise = std::max(motion.position_noise, noise_of(curve.distance))](std::size_t) { return noise; };
   const std::size_t end = curve.force.size() - 1, turn = curve.cycles.empty() ? end : curve.cycles[0].turn;
   add(curve.force_max, extreme_noise(curve.force, end, curve.force_max.value, force));
   add(curve.force_min_loading, extreme_noise(curve.force, turn, curve.force_min_loading.value, force));

@@ -44,29 +44,27 @@ Series sampled_force(const RelativeMotion& motion, ForceSource source, Units uni
   return force;
 }
 
-/// Factor from the noise of samples to that of the force in the middle of the series.
-double noise_gain(const RelativeMotion& motion, ForceSource source, Units units, int window) {
+/// Factors from the noise of samples to that of the force, by the place in the window (a stretch in the middle
+/// of the series, where times are as even as anywhere).
+Series noise_gains(const RelativeMotion& motion, ForceSource source, Units units, int window) {
   const std::size_t n = motion.times.size();
   const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(window), n);
-  const std::size_t first = (n - length) / 2;
-  const std::span<const double> times(&motion.times[first], length);
+  const std::span<const double> times(&motion.times[(n - length) / 2], length);
   DerivativeRule rule = source == ForceSource::velocities ? first_derivative : second_derivative;
   rule.window = window;
-  double squares = 0;
-  for (std::size_t j = 0; j < length; ++j) {
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(length));
-    unit(0, static_cast<Eigen::Index>(j)) = 1;
-    const double weight = derivative(times, unit, rule)(0, static_cast<Eigen::Index>(length / 2));
-    squares += weight * weight;
-  }
-  return motion.reduced_mass * force_per_mass_acceleration(units) * std::sqrt(squares);
+  const auto size = static_cast<Eigen::Index>(length);
+  const Eigen::MatrixXd weights = derivative(times, Eigen::MatrixXd::Identity(size, size), rule);
+  Series gains;
+  for (Eigen::Index k = 0; k < size; ++k)
+    gains.push_back(motion.reduced_mass * force_per_mass_acceleration(units) * weights.col(k).norm());
+  return gains;
 }
 
 /// A window and what it gives.
 struct Candidate {
   int window;
-  Series force;
-  double noise;
+  Series force, gains;
+  double noise;  ///< in the middle
 };
 
 bool is_explained(const Candidate& longer, const std::vector<Candidate>& shorter) {
@@ -80,8 +78,9 @@ Candidate best_window(const RelativeMotion& motion, ForceSource source, Units un
   const double noise =
       source == ForceSource::velocities ? motion.velocity_noise : motion.position_noise;
   const auto candidate = [&](int window) {
-    return Candidate{window, interparticle_force(motion, source, units, window),
-                     noise * noise_gain(motion, source, units, window)};
+    Series gains = noise_gains(motion, source, units, window);
+    const double middle = noise * gains[gains.size() / 2];
+    return Candidate{window, interparticle_force(motion, source, units, window), std::move(gains), middle};
   };
   if (given > 0) return candidate(given);
   std::vector<Candidate> candidates;
@@ -133,7 +132,14 @@ double noise_by_differences(Series series, int order) {
 
 double ForceSeries::error(std::size_t i) const {
   if (window == 0) return value.size() < least_for_noise ? not_known : noise;
-  return truncation.empty() ? not_known : std::hypot(truncation[i], std::max(noise, scatter));
+  return truncation.empty() ? not_known : std::hypot(truncation[i], noise_at(i));
+}
+
+double ForceSeries::noise_at(std::size_t i) const {
+  const double middle = std::max(noise, scatter);
+  if (edges.empty()) return middle;
+  const std::size_t length = edges.size(), before = length / 2, first = std::min(i - std::min(i, before), value.size() - length);
+  return middle * edges[i - first];
 }
 
 ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units, int window) {
@@ -149,14 +155,15 @@ ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units
   series.noise = best.noise;
   series.scatter = noise_of(series.value);
   series.window = best.window;
+  for (const double gain : best.gains) series.edges.push_back(gain / best.gains[best.gains.size() / 2]);
   find_truncation(motion, source, units, series);
   return series;
 }
 
 double noise_of(const std::vector<double>& series) {
   if (series.size() < least_for_noise) return 0;
-  return std::min({noise_by_differences(series, 4), noise_by_differences(series, 8),
-                   noise_by_differences(series, 12)});
+  const double noise = std::min({noise_by_differences(series, 4), noise_by_differences(series, 8), noise_by_differences(series, 12)});
+  return noise * (1 + 1.5 / std::sqrt(static_cast<double>(series.size())));
 }
 
 }  // namespace mdana

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <boost/math/distributions/students_t.hpp>
 
 namespace mdana {
 namespace {
@@ -52,6 +53,12 @@ double drift(const std::vector<double>& speeds) {
   return 0.5 * std::abs(last - first) / static_cast<double>(third);
 }
 
+/// Twice the error of a mean of n values so widened holds it as often as two standard deviations do: half of
+/// Student's t at 97.725 % for n - 1 degrees of freedom.
+double widening(double n) {
+  return boost::math::quantile(boost::math::students_t(n - 1), 0.97725) / 2;
+}
+
 Value mean_speed(const std::vector<double>& speeds, Flight flight) {
   Value mean{not_determined, {}, dimension::velocity};
   if (flight.frames() == 0) return mean;
@@ -65,7 +72,7 @@ Value mean_speed(const std::vector<double>& speeds, Flight flight) {
   }
   double squares = 0;
   for (const double v : chosen) squares += (v - mean.value) * (v - mean.value);
-  mean.error = std::hypot(std::sqrt(squares / (n - 1) / n), drift(chosen));
+  mean.error = std::hypot(widening(n) * std::sqrt(squares / (n - 1) / n), drift(chosen));
   return mean;
 }
 

@@ -45,4 +45,8 @@ std::vector<ExtremeCase> extreme_fits();
 /// The collisions of the laws' catalogue (fits/law_catalogue.hpp).
 std::vector<ExtremeCase> extreme_laws();
 
+/// Crystals of which faults and lines are known: any lengths, far away, turned, noisy, and too few atoms. None if this
+/// build has no defects.
+std::vector<ExtremeCase> extreme_structures();
+
 }  // namespace mdana

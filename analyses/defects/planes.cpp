@@ -4,22 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
+#include "analyses/moments.hpp"
 #include "readers/disjoint_sets.hpp"
 
 namespace mdana::defects {
 namespace {
 
 constexpr double parallel = 0.9;      ///< least cosine between the normals of one fault
+constexpr double in_layer = 0.41;     ///< [spacings] half of the distance of layers, sqrt(2/3)
 constexpr double second_layer = 1.2;  ///< [spacings]; it is 2 sqrt(2/3) = 1.63 away
 constexpr std::uint32_t none = ~0u;
 
 /// A hcp atom of a slab: its close-packed layer and the three neighbours on either side.
 struct LayerAtom {
   std::uint32_t place = 0;
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double area = 0;  ///< in its layer [spacings^2]
   std::vector<std::uint32_t> in_plane, side[2];  ///< places
   std::vector<std::uint32_t> partners;           ///< places of those two layers away
@@ -48,6 +51,17 @@ std::array<bool, 12> opposite_six(const std::array<Neighbour, 12>& all) {
   return chosen;
 }
 
+Moments<1> length_of(const Neighbour& n) {
+  return {1, 1, Moments<1>::Vector(n.offset.cast<double>().norm()), 0};
+}
+
+/// Area of an atom in its layer [spacings^2] by its distances to neighbours. Vibration lengthens them, in the
+/// mean by their variance over the mean.
+double layer_area(const Moments<1>& distances) {
+  const double mean = distances.mean[0], rest = mean - distances.spread / distances.weight / mean;
+  return std::sqrt(3.0) / 2 * rest * rest;
+}
+
 LayerAtom layer_atom(std::uint32_t place, const Neighbours& found) {
   LayerAtom atom;
   atom.place = place;
@@ -55,14 +69,43 @@ LayerAtom layer_atom(std::uint32_t place, const Neighbours& found) {
   if (!twelve) return atom;
   const HcpLayer layer = hcp_layer(*twelve);
   atom.normal = layer.normal;
-  double distance = 0;
+  Moments<1> distances;
   for (std::size_t k = 0; k < 12; ++k) {
     const Neighbour& n = (*twelve)[k];
-    distance += n.offset.cast<double>().norm() / 12;
+    distances.merge(length_of(n));
     const bool above = n.offset.cast<double>().dot(atom.normal) > 0;
     (layer.in_plane[k] ? atom.in_plane : atom.side[above]).push_back(n.place);
   }
-  atom.area = std::sqrt(3.0) / 2 * distance * distance;
+  atom.area = layer_area(distances);
+  return atom;
+}
+
+/// The direction that most of some normals have, of either sign, and its mean; nothing without one.
+std::optional<Eigen::Vector3d> most_frequent(const std::vector<Eigen::Vector3d>& normals) {
+  const auto alike = [&](const Eigen::Vector3d& n) {
+    return std::ranges::count_if(normals, [&](const Eigen::Vector3d& other) { return std::abs(n.dot(other)) > parallel; });
+  };
+  const auto best = std::ranges::max_element(normals, {}, alike);
+  if (best == normals.end()) return {};
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& n : normals)
+    if (std::abs(n.dot(*best)) > parallel) mean += n.dot(*best) < 0 ? Eigen::Vector3d(-n) : n;
+  return mean.normalized();
+}
+
+/// The same of a layer whose normal is known.
+LayerAtom layer_atom(std::uint32_t place, const Neighbours& found, const Eigen::Vector3d& normal) {
+  LayerAtom atom;
+  atom.place = place;
+  atom.normal = normal;
+  Moments<1> distances;
+  for (const Neighbour& n : found) {
+    if (n.d2 > touching * touching) continue;
+    const double height = n.offset.cast<double>().dot(normal);
+    (std::abs(height) < in_layer ? atom.in_plane : atom.side[height > 0]).push_back(n.place);
+    distances.merge(length_of(n));
+  }
+  atom.area = layer_area(distances);
   return atom;
 }
 
@@ -74,6 +117,7 @@ class Layers {
     for_neighbours(sites, places_, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
       atoms_[k] = layer_atom(places_[k], found);
     });
+    settle_normals();
     for (LayerAtom& atom : atoms_)
       atom.hcp_beside = any_parallel(atom, atom.side[0]) || any_parallel(atom, atom.side[1]);
     find_kinds();
@@ -93,6 +137,44 @@ class Layers {
   }
 
  private:
+  bool is_hcp(std::uint32_t place) const { return sites_.structure[place] == Structure::hcp; }
+
+  /// Fewer than half of the hcp atoms about it have the same layer, or it has none.
+  bool is_doubtful(const LayerAtom& atom) const {
+    long about = 0, same = 0;
+    for (const auto* places : {&atom.in_plane, &atom.side[0], &atom.side[1]})
+      for (const std::uint32_t place : *places) {
+        about += is_hcp(place);
+        same += parallel_at(atom, place) != none;
+      }
+    return atom.in_plane.empty() || 2 * same < about;
+  }
+
+  /// Where noise hides which six lie opposite to each other, the layer is that of most hcp atoms about.
+  void settle_normals() {
+    std::vector<std::uint32_t> doubtful;
+    for (const LayerAtom& atom : atoms_)
+      if (is_doubtful(atom)) doubtful.push_back(atom.place);
+    std::vector<LayerAtom> settled(doubtful.size());
+    for_neighbours(sites_, doubtful, [&](std::size_t k, const Neighbours& found, NeighbourSearch&) {
+      settled[k] = by_neighbours(doubtful[k], found);
+    });
+    for (LayerAtom& atom : settled) atoms_[index_of(atom.place)] = std::move(atom);
+  }
+
+  LayerAtom by_neighbours(std::uint32_t place, const Neighbours& found) const {
+    std::vector<Eigen::Vector3d> normals;
+    for (const Neighbour& n : found)
+      if (n.d2 <= touching * touching && is_hcp(n.place) && !atoms_[index_of(n.place)].in_plane.empty())
+        normals.push_back(atoms_[index_of(n.place)].normal);
+    const auto normal = most_frequent(normals);
+    return normal ? layer_atom(place, found, *normal) : atoms_[index_of(place)];
+  }
+
+  std::size_t index_of(std::uint32_t place) const {  // of one that is hcp
+    return static_cast<std::size_t>(std::ranges::lower_bound(places_, place) - places_.begin());
+  }
+
   bool any_parallel(const LayerAtom& atom, const std::vector<std::uint32_t>& places) const {
     return std::any_of(places.begin(), places.end(), [&](std::uint32_t place) {
       return parallel_at(atom, place) != none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The extreme dumps and fits that `mdana stability` computes keep their digits, or are refused in words.
+// The extreme dumps, fits and structures that `mdana stability` computes keep their digits, or are refused in words.
 #include <cmath>
 #include <set>
 
@@ -32,6 +32,12 @@ TEST(ExtremeCases, DumpsKeepTheirDigits) {
 TEST(ExtremeCases, FitsKeepTheirDigits) {
   const std::vector<ExtremeCase> cases = extreme_fits();
   EXPECT_GE(cases.size(), 45u);
+  expect_right(cases);
+}
+
+TEST(ExtremeCases, StructuresKeepTheirDigits) {
+  const std::vector<ExtremeCase> cases = extreme_structures();
+  EXPECT_GE(cases.size(), 15u);
   expect_right(cases);
 }
 

@@ -14,7 +14,7 @@
 namespace mdana::defects {
 namespace {
 
-constexpr double end_error = 0.3;  ///< [spacings] of an open end: it is somewhere within one, sqrt(1/12)
+constexpr double end_error = 0.5;  ///< [spacings] of an end, at a node or where the crystal ends; ends err alike
 constexpr double most_tilt = 25 * std::numbers::pi / 180;  ///< mean angle of a line to its slip plane
 
 LineEnd end_of(const LineNode& node) {
@@ -105,10 +105,8 @@ class Describer {
     const Frame frame = name(s, told);
     set_geometry(s, frame, told);
     const double smooth_length = length(network_, s);
-    const double open = static_cast<double>(std::ranges::count_if(told.ends, [](LineEnd end) {
-      return end != LineEnd::junction && end != LineEnd::closed;
-    }));
-    const double error = std::hypot((other_length - smooth_length) / 2, end_error * std::sqrt(open));
+    const double ends = static_cast<double>(std::ranges::count_if(told.ends, [](LineEnd end) { return end != LineEnd::closed; }));
+    const double error = std::hypot((other_length - smooth_length) / 2, end_error * ends);
     told.length = {smooth_length * spacing_, error * spacing_, dimension::length};
     for (const Eigen::Vector3d& p : s.points) told.points.push_back(zone_.origin + spacing_ * p);
     return told;
