@@ -5,7 +5,8 @@
 
 namespace mdana {
 
-/// Bytes that the machine can give to programs now, caches of files included; 1 GiB if it does not tell.
+/// Bytes that this process can have now, caches of files included: what is free in the machine (1 GiB if it does not
+/// tell), within the limits of its control groups and of its address space.
 std::size_t free_memory();
 
 }  // namespace mdana

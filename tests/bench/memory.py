@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-SPACING = 1.0  # of a simple cubic lattice
+HALF_CELL = 0.771  # of a fcc lattice, neighbours 1.09 apart
 COLUMNS = "id type x y z vx vy vz fx fy fz c_pe"
 COMMANDS = {
     "force": [],
@@ -26,15 +26,19 @@ COMMANDS = {
 CHUNK = 1_000_000  # atoms written at a time
 
 
+def radius_of(atoms):
+    return (2 * atoms * 3 / (4 * np.pi))**(1 / 3) * HALF_CELL
+
+
 def ball(atoms):
-    """Sites of a cubic lattice nearest to the origin, about so many: thousandths, sorted along x."""
-    radius = (atoms * 3 / (4 * np.pi))**(1 / 3) * SPACING
-    half = int(radius / SPACING) + 1
-    side = np.arange(-half, half + 1) * SPACING
-    y, z = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
-    for x in side:
-        inside = x * x + y * y + z * z <= radius * radius
-        yield np.column_stack([np.full(inside.sum(), x), y[inside], z[inside]])
+    """Sites of a fcc lattice nearest to the origin, about so many, plane by plane along x."""
+    radius = radius_of(atoms)
+    half = int(radius / HALF_CELL) + 1
+    side = np.arange(-half, half + 1)
+    j, k = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
+    for i in side:
+        inside = ((i + j + k) % 2 == 0) & ((i * i + j * j + k * k) * HALF_CELL**2 <= radius * radius)
+        yield HALF_CELL * np.column_stack([np.full(inside.sum(), i), j[inside], k[inside]])
 
 
 def digits(values, width):
@@ -82,7 +86,7 @@ def write_dump(path, atoms):
     """A bounce with e = 1/2 of two balls. Returns the atoms and the radius."""
     half = atoms // 2
     count = sum(len(plane) for plane in ball(half))
-    radius = (half * 3 / (4 * np.pi))**(1 / 3) * SPACING
+    radius = radius_of(half)
     with open(path, "wb") as file:
         for step, (gap, speed, force) in enumerate([(2.0, 0.1, 0.0), (-0.8, 0.0, 1e-3), (2.0, -0.05, 0.0)]):
             file.write(f"ITEM: UNITS\nlj\nITEM: TIME\n{50.0 * step}\nITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n"
