@@ -13,6 +13,7 @@ struct InputRecord {
   std::string path;
   std::uint64_t size = 0;  ///< bytes on disk
   std::string hash;        ///< "xxh3:" and 32 hexadecimal digits (XXH3, 128 bit) of those bytes
+  bool changed = false;    ///< another program wrote to it while it was read
 };
 
 /// The hash of bytes in memory, as InputRecord has it.

@@ -36,6 +36,17 @@ int open_for_reading(const std::filesystem::path& path) {
   throw InputError(fmt::format("{}: not a file; give the path of a dump", path.string()));
 }
 
+struct stat status_of(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0 || status.st_size < 0) status = {};
+  return status;
+}
+
+/// Of the last change [ns].
+std::int64_t time_of(const struct stat& status) {
+  return std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+}
+
 }  // namespace
 
 struct RawFile::Hash {
@@ -55,9 +66,9 @@ struct RawFile::Hash {
 
 RawFile::RawFile(const std::filesystem::path& path)
     : path_(path), descriptor_(open_for_reading(path)), hash_(std::make_unique<Hash>()) {
-  std::error_code unknown;
-  size_ = std::filesystem::file_size(path, unknown);
-  if (unknown) size_ = 0;
+  const struct stat status = status_of(descriptor_);
+  size_ = static_cast<std::uint64_t>(status.st_size);
+  modified_ = time_of(status);
 }
 
 double RawFile::share() const {
@@ -65,25 +76,17 @@ double RawFile::share() const {
   return size_ == 0 ? 1 : std::min(1.0, behind / static_cast<double>(size_));
 }
 
-RawFile::~RawFile() {
-  if (!map_.empty()) ::munmap(const_cast<char*>(map_.data()), map_.size());
-  ::close(descriptor_);
-}
+RawFile::~RawFile() { ::close(descriptor_); }
 
 std::optional<std::string_view> RawFile::mapped() {
-  if (!map_.empty()) return map_;
-  struct stat status {};
-  if (::fstat(descriptor_, &status) != 0 || status.st_size <= 0) return std::nullopt;
-  const auto size = static_cast<std::size_t>(status.st_size);
-  void* start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor_, 0);
-  if (start == MAP_FAILED) return std::nullopt;
-  ::madvise(start, size, MADV_SEQUENTIAL);
-  map_ = {static_cast<const char*>(start), size};
-  return map_;
+  const auto size = static_cast<std::size_t>(status_of(descriptor_).st_size);
+  if (!map_ && size > 0) map_ = Mapping::of(descriptor_, size, path_);
+  if (!map_) return std::nullopt;
+  return map_->bytes();
 }
 
 void RawFile::passed(std::string_view bytes) {
-  const auto first = static_cast<std::uint64_t>(bytes.data() - map_.data());
+  const auto first = static_cast<std::uint64_t>(bytes.data() - map_->bytes().data());
   const std::uint64_t known = hash_->bytes - std::min(hash_->bytes, first);
   if (first <= hash_->bytes && known < bytes.size()) hash_->add(bytes.substr(known));
   passed_ = first + bytes.size();
@@ -96,7 +99,7 @@ void RawFile::release(std::uint64_t position) {
   if (position < released_) released_ = position / step * step;
   if (position < released_ + 2 * step) return;
   const std::uint64_t end = (position - step) / step * step;
-  ::madvise(const_cast<char*>(map_.data()) + released_, end - released_, MADV_DONTNEED);
+  ::madvise(const_cast<char*>(map_->bytes().data()) + released_, end - released_, MADV_DONTNEED);
   released_ = end;
 }
 
@@ -124,13 +127,18 @@ std::size_t RawFile::read(std::span<char> into) {
   return got;
 }
 
+bool RawFile::changed() const {
+  const struct stat now = status_of(descriptor_);
+  return static_cast<std::uint64_t>(now.st_size) != size_ || time_of(now) != modified_;
+}
+
 InputRecord RawFile::record() {
-  if (!assumed_hash_.empty() && hash_->bytes < size_) return {path_.string(), size_, assumed_hash_};
+  if (!assumed_hash_.empty() && hash_->bytes < size_) return {path_.string(), size_, assumed_hash_, changed()};
   std::vector<char> rest(1 << 20);
   position_ = hash_->bytes;
   while (read(rest) == rest.size()) continue;
   const XXH128_hash_t h = XXH3_128bits_digest(hash_->state);
-  return {path_.string(), hash_->bytes, fmt::format("xxh3:{:016x}{:016x}", h.high64, h.low64)};
+  return {path_.string(), hash_->bytes, fmt::format("xxh3:{:016x}{:016x}", h.high64, h.low64), changed()};
 }
 
 }  // namespace mdana

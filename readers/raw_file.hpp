@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "readers/input_record.hpp"
+#include "readers/mapping.hpp"
 
 namespace mdana {
 
@@ -43,6 +44,7 @@ class RawFile {
 
  private:
   void release(std::uint64_t position);
+  bool changed() const;
 
   struct Hash;
   std::filesystem::path path_;
@@ -50,8 +52,9 @@ class RawFile {
   std::uint64_t position_ = 0;
   std::unique_ptr<Hash> hash_;
   std::uint64_t size_ = 0;  ///< when it was opened
+  std::int64_t modified_ = 0;  ///< when it was opened, in nanoseconds
   std::string assumed_hash_;
-  std::string_view map_;
+  std::unique_ptr<Mapping> map_;
   std::uint64_t passed_ = 0;  ///< mapped bytes
   std::uint64_t released_ = 0;  ///< mapped bytes before it are given back
 };

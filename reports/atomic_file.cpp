@@ -19,11 +19,7 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write) {
   OutputFile file(path);
-  try {
-    write(file.path());
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file.told(error.what()));
-  }
+  file.writing([&] { write(file.path()); });
   file.commit();
 }
 

@@ -237,15 +237,7 @@ Converted convert_dump(const Conversion& conversion) {
   check_new_file(conversion.dump, conversion.output);
   OutputFile file(conversion.output);
   Converted result;
-  try {
-    result = run_passes(conversion, file.path());
-  } catch (const InputError&) {
-    throw;
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file.told(error.what()));
-  }
+  file.writing([&] { result = run_passes(conversion, file.path()); });
   result.size = fs::file_size(file.path());
   file.commit();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -139,6 +139,7 @@ void Document::left_out(std::string what, std::string reason) {
 void Document::input(const InputRecord& file, std::string_view format) {
   root_["inputs"].push_back(
       {{"path", file.path}, {"size", file.size}, {"hash", file.hash}, {"format", format}});
+  if (file.changed) warn(fmt::format("{}: it changed while it was read; run again when it is whole", file.path));
 }
 
 void Document::damage(const std::string& what) {

@@ -231,7 +231,7 @@ bool run_gnuplot(const std::filesystem::path& directory, const std::string& name
   if (error != 0) throw std::runtime_error(fmt::format("gnuplot: {}", std::strerror(error)));
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (status != 0) throw std::runtime_error(fmt::format("gnuplot failed on {}.gp", name));
+  if (status != 0) throw std::runtime_error(fmt::format("gnuplot failed on {}", (directory / (name + ".gp")).string()));
   undate(directory / (name + ".pdf"));
   return true;
 }

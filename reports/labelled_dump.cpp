@@ -44,6 +44,10 @@ LabelledDump::LabelledDump(const std::filesystem::path& place, const Format& for
       timestep_(run.timestep_source == "dump" ? std::nullopt : run.timestep) {}
 
 void LabelledDump::add(const FrameHeader& header, const LabelledAtoms& all) {
+  file_.writing([&] { write(header, all); });
+}
+
+void LabelledDump::write(const FrameHeader& header, const LabelledAtoms& all) {
   const auto axis = axes(header.box);
   blocks_ = 0;
   all.for_blocks([&](const FrameAtoms& atoms, const AtomLabels& labels) {
@@ -79,7 +83,7 @@ void LabelledDump::add_block(const std::array<std::string, 3>& axis, const Frame
 }
 
 void LabelledDump::commit() {
-  writer_->finish();
+  file_.writing([&] { writer_->finish(); });
   writer_.reset();
   file_.commit();
 }

@@ -28,6 +28,7 @@ class LabelledDump {
   void commit();  ///< after the last frame
 
  private:
+  void write(const FrameHeader& header, const LabelledAtoms& atoms);
   void add_block(const std::array<std::string, 3>& axes, const FrameAtoms& atoms, const AtomLabels& labels);
 
   OutputFile file_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace mdana {
@@ -17,13 +18,23 @@ class OutputFile {
 
   const std::filesystem::path& path() const { return temporary_; }
 
-  /// A message about the file under its temporary name, told of the place.
-  std::string told(std::string what) const;
+  /// Does what writes the file; a std::runtime_error about it under its temporary name is told of the place.
+  template <class Work>
+  void writing(Work&& work) const {
+    try {
+      work();
+    } catch (const std::runtime_error& error) {
+      const std::string what = told(error.what());
+      if (what == error.what()) throw;
+      throw std::runtime_error(what);
+    }
+  }
 
   /// The file must be closed. Throws std::runtime_error naming the place and the reason.
   void commit();
 
  private:
+  std::string told(std::string what) const;
   [[noreturn]] void fail(const char* doing) const;
 
   std::filesystem::path place_, temporary_;

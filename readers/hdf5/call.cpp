@@ -30,11 +30,20 @@ Handle& Handle::operator=(Handle&& other) noexcept {
   return *this;
 }
 
-void quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void quiet() {
+  H5dont_atexit();  // closing at exit what could not be written crashes (1.10); all is closed long before
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string reason() {
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
+  // Of failed system calls HDF5 tells time, addresses and sizes, too.
+  constexpr std::string_view by_system = "error message = '";
+  if (const std::size_t at = text.find(by_system); at != text.npos) {
+    text.erase(0, at + by_system.size());
+    text.resize(std::min(text.find('\''), text.size()));
+  }
   return text.empty() ? "HDF5 gives no reason" : text;
 }
 

@@ -33,6 +33,7 @@ const std::atomic<int>& stop_signal() { return stop; }
 void catch_signals() {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit (ulimit -f) is an error that writing tells
 }
 
 std::function<void(const Progress&)> progress_printer() {
