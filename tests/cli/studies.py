@@ -4,7 +4,10 @@
 import csv
 import re
 import shutil
+import subprocess
+import time
 
+import running
 from running import ROOT, Case, parse_json
 
 try:
@@ -88,3 +91,41 @@ class Study(Case):
             else:
                 found[name] = without_times(parse_json(path.read_text())) if path.suffix == ".json" else path.read_bytes()
         return found
+
+
+class StoppedStudy(Study):
+    """Reports that are ended from outside."""
+
+    def start(self):
+        return subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out), "--jobs", "1"],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def wait_for_cache(self):
+        """Until the process that was started has its output."""
+        deadline = time.monotonic() + running.SECONDS
+        while not (self.out / "cache").exists() and time.monotonic() < deadline:
+            time.sleep(0.001)
+
+    def kill_at(self, shares):
+        """Kills reports after parts of the time that a whole one takes, and makes them anew: their bytes are those of one that
+        nobody disturbs."""
+        self.study(stability=True)
+        undisturbed = self.dir / "whole"
+        self.report(out=undisturbed)
+        whole = self.files(undisturbed)
+        started = time.monotonic()
+        process = self.start()
+        self.assertEqual(process.wait(timeout=running.SECONDS), 0)
+        seconds = time.monotonic() - started
+        for share in shares:
+            with self.subTest(share):
+                shutil.rmtree(self.out, ignore_errors=True)
+                process = self.start()
+                time.sleep(share * seconds)
+                process.kill()
+                process.wait(timeout=running.SECONDS)
+                self.report()
+                self.assertEqual(self.files(self.out).keys(), whole.keys())
+                for name, content in self.files(self.out).items():
+                    self.assertEqual(content, whole[name], name)
+                self.assertEqual({p.name for p in (self.out / "cache").iterdir()}, {f"{name}.run" for name in NAMES} | {"hashes.json"})

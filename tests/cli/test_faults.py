@@ -141,22 +141,6 @@ class Studies(studies.Study):
             self.assertTrue(process.returncode == 0 or str(self.out) in error, error)
             self.report()  # and it can be made again
 
-    def test_a_second_process_is_told(self):
-        study = self.study()
-        with subprocess.Popen([running.program, "report", study, "-o", self.out], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, text=True) as first:
-            deadline = time.monotonic() + 20
-            while not list(self.out.glob("*")) and time.monotonic() < deadline and first.poll() is None:
-                time.sleep(0.002)
-            first.send_signal(signal.SIGSTOP)
-            second = running.run("report", study, "-o", self.out)
-            first.send_signal(signal.SIGCONT)
-            _, error = first.communicate(timeout=running.SECONDS)
-        self.assertEqual(first.returncode, 0, error)
-        self.assertEqual(second.returncode, 1, second.stderr)
-        self.assertIn("another", second.stderr)
-        self.assertIn(str(self.out), second.stderr)
-
 
 if __name__ == "__main__":
     if not os.path.exists("/proc/self/maps"):

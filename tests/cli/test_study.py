@@ -5,11 +5,10 @@ import re
 import shutil
 import signal
 import subprocess
-import time
 
 import running
 from running import main, run
-from studies import NAMES, SAMPLE, Study
+from studies import NAMES, SAMPLE, StoppedStudy, Study
 
 
 class StudyFile(Study):
@@ -168,44 +167,10 @@ class Cache(Study):
         self.assertIn("schema", {r["name"]: r for r in self.results()["runs"]}["hertz-tiny"]["failure"])
 
 
-class Stops(Study):
-    def uninterrupted(self):
-        out = self.dir / "whole"
-        self.report(out=out)
-        return self.files(out)
-
-    def start(self):
-        return subprocess.Popen([running.program, "report", str(self.runs / "study.toml"), "-o", str(self.out), "--jobs", "1"],
-                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-
-    def wait_for_cache(self):
-        """Until the process that was started has its output."""
-        deadline = time.monotonic() + running.SECONDS
-        while not (self.out / "cache").exists() and time.monotonic() < deadline:
-            time.sleep(0.001)
-
+class Stops(StoppedStudy):
     def test_killed_at_any_moment_it_goes_on(self):
-        """Bytes are those of an uninterrupted report, whenever it is killed: before, within and after the first run, while
-        the page is written."""
-        self.study(stability=True)
-        whole = self.uninterrupted()
-        started = time.monotonic()
-        process = self.start()
-        self.assertEqual(process.wait(timeout=running.SECONDS), 0)
-        seconds = time.monotonic() - started
-        for share in (0.02, 0.2, 0.4, 0.6, 0.8, 0.9, 0.97):
-            with self.subTest(share):
-                shutil.rmtree(self.out, ignore_errors=True)
-                process = self.start()
-                time.sleep(share * seconds)
-                process.kill()
-                process.wait(timeout=running.SECONDS)
-                self.report()
-                self.assertEqual(self.files(self.out).keys(), whole.keys())
-                for name, content in self.files(self.out).items():
-                    self.assertEqual(content, whole[name], name)
-                self.assertEqual({p.name for p in (self.out / "cache").iterdir()},
-                                 {f"{name}.run" for name in NAMES} | {"hashes.json"})
+        """Before, within and after the first run, while the page is written. At fifty moments: tests/long."""
+        self.kill_at((0.02, 0.2, 0.4, 0.6, 0.8, 0.9, 0.97))
 
     def test_a_signal_stops_it_and_it_says_what_is_kept(self):
         self.study(stability=True, accuracy=True)
