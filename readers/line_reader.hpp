@@ -11,7 +11,8 @@
 
 namespace mdana {
 
-/// Lines of a text, one by one or thousands at a time, with their numbers.
+/// Lines of a text, one by one or thousands at a time, with their numbers. Throws InputError at a line
+/// or at lines of one call that are longer than those of any dump.
 class LineReader {
  public:
   explicit LineReader(std::unique_ptr<ByteSource> bytes);
@@ -51,6 +52,7 @@ class LineReader {
   const ByteSource& bytes() const { return *bytes_; }
 
  private:
+  [[noreturn]] void too_long(std::string_view what) const;
   bool refill();
   std::optional<std::size_t> next_newline();
   void deliver(std::size_t bytes);
