@@ -92,7 +92,8 @@ LineReader::LineReader(std::unique_ptr<ByteSource> bytes) : bytes_(std::move(byt
   }
 }
 
-void LineReader::too_long(std::string_view what) const {
+void LineReader::too_long(std::string_view what) {
+  met_too_long_ = true;
   throw InputError(fmt::format("{}:{}: {}: this is no text of atoms", bytes_->path().string(),
                                number_ + 1, what));
 }

@@ -44,6 +44,7 @@ class LineReader {
 
   std::uint64_t number() const { return number_; }  ///< of the line last delivered, from 1
   bool unfinished() const { return unfinished_; }   ///< the text ended within a line
+  bool met_too_long() const { return met_too_long_; }  ///< a line that nothing goes on behind
 
   void mark();
   void reset();
@@ -52,7 +53,7 @@ class LineReader {
   const ByteSource& bytes() const { return *bytes_; }
 
  private:
-  [[noreturn]] void too_long(std::string_view what) const;
+  [[noreturn]] void too_long(std::string_view what);
   bool refill();
   std::optional<std::size_t> next_newline();
   void deliver(std::size_t bytes);
@@ -65,6 +66,7 @@ class LineReader {
   std::string_view rest_;     ///< not yet delivered: in the buffer, or all that is left of the file
   std::uint64_t number_ = 0;
   bool unfinished_ = false;
+  bool met_too_long_ = false;
   std::vector<char> marked_copy_;
   std::string_view marked_rest_;
   std::uint64_t marked_number_ = 0;
