@@ -98,8 +98,8 @@ void IdCheck::tell_duplicates(const FrameHeader& header, Faults& faults) {
     settle_place(others_[i].atom, fault);
     faults.add(std::move(fault));
   }
-  const auto rest = std::ranges::unique(others_, {}, &Met::id);
-  others_.erase(rest.begin(), rest.end());
+  const auto same = [](const Met& a, const Met& b) { return a.id == b.id; };
+  others_.erase(std::unique(others_.begin(), others_.end(), same), others_.end());
 }
 
 void IdCheck::settle_place(std::uint64_t atom, Fault& fault) const {

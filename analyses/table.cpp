@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace mdana {
 
@@ -40,10 +41,11 @@ void Table::add_column(ColumnSpec spec, std::vector<double> values) {
 void Table::add_words(std::string name, std::span<const std::string> words) {
   std::vector<std::string> labels;
   std::vector<double> places;
+  std::unordered_map<std::string_view, std::size_t> known;
   for (const std::string& word : words) {
-    auto at = std::ranges::find(labels, word);
-    if (at == labels.end()) at = labels.insert(at, word);
-    places.push_back(static_cast<double>(at - labels.begin()));
+    const auto [at, first] = known.try_emplace(word, labels.size());
+    if (first) labels.push_back(word);
+    places.push_back(static_cast<double>(at->second));
   }
   add_column({std::move(name), dimension::none, std::move(labels)}, std::move(places));
 }

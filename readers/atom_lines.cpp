@@ -91,7 +91,7 @@ class AtomLineFrames final : public FrameSource {
 
   bool recover() override {
     lines_left_ = 0;
-    if (ended_ || !careful_) return false;
+    if (ended_ || !careful_ || lines_.met_too_long()) return false;
     if (!in_header_) return true;  // at the beginning of a header, or at the end
     in_header_ = false;
     ++frames_;

@@ -21,6 +21,7 @@ class PlainFile final : public ByteSource {
   void mark() override { marked_ = file_->position(); }
   void reset() override { file_->seek(marked_); }
   void assume_hash(const std::string& hash) override { file_->assume_hash(hash); }
+  const std::filesystem::path& path() const override { return file_->path(); }
   InputRecord record() override { return file_->record(); }
 
  private:

@@ -33,6 +33,8 @@ class ByteSource {
   /// What is wrong with the compressed data met so far ("gzip data end early ..."); else empty.
   virtual std::string damage() const { return {}; }
 
+  virtual const std::filesystem::path& path() const = 0;
+
   virtual InputRecord record() = 0;
 
   /// The hash of the whole file is known: `record` need not read what was passed over.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana {
 namespace {
@@ -40,7 +41,7 @@ void ColumnChoice::add(const FrameHeader& frame, const std::string& name) {
   const auto it = std::ranges::find(frame.columns, name);
   if (it == frame.columns.end())
     throw InputError(fmt::format("{}: this frame has no column '{}'; it has {}", frame.place, name,
-                                 fmt::join(frame.columns, " ")));
+                                 shown(fmt::format("{}", fmt::join(frame.columns, " ")), 1000)));
   const auto in_file = static_cast<std::size_t>(it - frame.columns.begin());
   if (std::ranges::find(columns_, in_file, &Column::in_file) == columns_.end())
     columns_.push_back({in_file, name, kind_of_column(name)});

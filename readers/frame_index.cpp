@@ -20,6 +20,7 @@ namespace {
 constexpr std::string_view title = "mdana-index 1";
 constexpr std::size_t sample_size = 4096;
 constexpr std::uint64_t samples = 64;
+constexpr std::uintmax_t longest_index = std::uintmax_t{1} << 28;  ///< in bytes: 10^7 frames
 
 std::string hash_text(std::string_view bytes) {
   const XXH128_hash_t h = XXH3_128bits(bytes.data(), bytes.size());
@@ -60,6 +61,9 @@ std::string body(const FrameIndex& index, const std::string& state) {
 
 /// The text before the last line, if that line is its hash.
 std::optional<std::string> checked_body(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  if (unknown || size > longest_index) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
   const std::size_t end = text.rfind("check ");

@@ -38,6 +38,7 @@ class Gzip final : public ByteSource {
 
   std::string damage() const override { return damage_; }
   double share() const override { return file_->share(); }
+  const std::filesystem::path& path() const override { return file_->path(); }
   InputRecord record() override { return file_->record(); }
 
  private:

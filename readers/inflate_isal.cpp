@@ -38,8 +38,9 @@ class IsalInflate final : public Inflate {
     state_.next_out = reinterpret_cast<std::uint8_t*>(out.data());
     state_.avail_out = static_cast<std::uint32_t>(room);
     const int result = isal_inflate(&state_);
-    in.remove_prefix(given - state_.avail_in);
-    out = out.subspan(room - state_.avail_out);
+    // Of corrupt data it may count more as taken than there is.
+    in.remove_prefix(given - std::min<std::size_t>(state_.avail_in, given));
+    out = out.subspan(room - std::min<std::size_t>(state_.avail_out, room));
     if (result != ISAL_DECOMP_OK) return {State::corrupt, 0, meaning(result)};
     if (state_.block_state != ISAL_BLOCK_FINISH) return {};
     // Whole bytes in its bit buffer belong to what follows the member.

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include <fmt/format.h>
+
+#include "readers/input_error.hpp"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -12,6 +16,10 @@ namespace mdana {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
+
+// Of text, in bytes: more is not of a dump (a line of 4096 columns has some 100 kB).
+constexpr std::size_t longest_line = std::size_t{1} << 24;
+constexpr std::size_t longest_lines = std::size_t{1} << 29;  ///< taken at once
 
 struct Newlines {
   std::size_t count;
@@ -84,10 +92,17 @@ LineReader::LineReader(std::unique_ptr<ByteSource> bytes) : bytes_(std::move(byt
   }
 }
 
+void LineReader::too_long(std::string_view what) {
+  met_too_long_ = true;
+  throw InputError(fmt::format("{}:{}: {}: this is no text of atoms", bytes_->path().string(),
+                               number_ + 1, what));
+}
+
 /// Appends bytes to the undelivered ones, growing the buffer for a line longer than it.
 bool LineReader::refill() {
   std::size_t got = 0;
   if (!mapped_) {
+    if (rest_.size() >= longest_line) too_long("a line of more than 16 MB");
     std::memmove(buffer_.data(), rest_.data(), rest_.size());
     if (rest_.size() == buffer_.size()) buffer_.resize(2 * buffer_.size());
     got = bytes_->read({buffer_.data() + rest_.size(), buffer_.size() - rest_.size()});
@@ -106,8 +121,10 @@ void LineReader::deliver(std::size_t bytes) {
 std::optional<std::size_t> LineReader::next_newline() {
   std::size_t seen = 0;  // searched before
   while (true) {
-    const std::size_t newline = rest_.find('\n', seen);
+    const std::string_view within = rest_.substr(0, longest_line);
+    const std::size_t newline = within.find('\n', seen);
     if (newline != std::string_view::npos) return newline;
+    if (within.size() < rest_.size()) too_long("a line of more than 16 MB");
     seen = rest_.size();
     if (!refill()) return std::nullopt;
   }
@@ -151,6 +168,8 @@ LineReader::Lines LineReader::take(std::size_t count, std::vector<char>& storage
   std::string_view text;  // of a mapped file it is one piece, since nothing is refilled
   const std::size_t got = pass(count, stop, [&](std::string_view lines) {
     text = lines;
+    if (storage.size() + lines.size() > longest_lines)
+      too_long(fmt::format("{} lines of more than 512 MB", count));
     if (!led || rest_.size() - lines.size() < padding)
       storage.insert(storage.end(), lines.begin(), lines.end());
   });

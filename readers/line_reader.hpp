@@ -11,7 +11,8 @@
 
 namespace mdana {
 
-/// Lines of a text, one by one or thousands at a time, with their numbers.
+/// Lines of a text, one by one or thousands at a time, with their numbers. Throws InputError at a line
+/// or at lines of one call that are longer than those of any dump.
 class LineReader {
  public:
   explicit LineReader(std::unique_ptr<ByteSource> bytes);
@@ -43,6 +44,7 @@ class LineReader {
 
   std::uint64_t number() const { return number_; }  ///< of the line last delivered, from 1
   bool unfinished() const { return unfinished_; }   ///< the text ended within a line
+  bool met_too_long() const { return met_too_long_; }  ///< a line that nothing goes on behind
 
   void mark();
   void reset();
@@ -51,6 +53,7 @@ class LineReader {
   const ByteSource& bytes() const { return *bytes_; }
 
  private:
+  [[noreturn]] void too_long(std::string_view what);
   bool refill();
   std::optional<std::size_t> next_newline();
   void deliver(std::size_t bytes);
@@ -63,6 +66,7 @@ class LineReader {
   std::string_view rest_;     ///< not yet delivered: in the buffer, or all that is left of the file
   std::uint64_t number_ = 0;
   bool unfinished_ = false;
+  bool met_too_long_ = false;
   std::vector<char> marked_copy_;
   std::string_view marked_rest_;
   std::uint64_t marked_number_ = 0;

@@ -10,6 +10,7 @@
 
 #include "readers/flow_list.hpp"
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana {
 namespace {
@@ -53,7 +54,7 @@ std::string_view LocalDump::needed_line() {
 
 std::int64_t LocalDump::whole(std::string_view text) const {
   const auto value = number_of<std::int64_t>(trimmed(text));
-  if (!value) fail(fmt::format("a whole number is expected, not '{}'", text));
+  if (!value) fail(fmt::format("a whole number is expected, not '{}'", shown(text)));
   return *value;
 }
 
@@ -64,7 +65,7 @@ void LocalDump::find_columns(std::string_view names) {
     const auto it = std::ranges::find(words, columns_[k]);
     if (it == words.end())
       fail(fmt::format("no column '{}' (there are: {}); name id, id and force by --contact-columns",
-                       columns_[k], trimmed(names)));
+                       columns_[k], shown(trimmed(names), 300)));
     place_[k] = static_cast<std::size_t>(it - words.begin());
   }
 }
@@ -123,7 +124,7 @@ std::optional<LocalFrame> LocalDump::next() {
     } else {
       fail(fmt::format(
           "'{}' is no part of a local dump (ITEM: TIMESTEP, NUMBER OF ENTRIES, ENTRIES ...)",
-          item));
+          shown(item)));
     }
   }
 }

@@ -34,6 +34,7 @@ class RawFile {
   /// How much of the file was read or passed, 0 to 1.
   double share() const;
 
+  const std::filesystem::path& path() const { return path_; }
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 

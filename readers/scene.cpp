@@ -10,6 +10,8 @@
 #include <toml++/toml.h>
 
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
+#include "readers/toml_text.hpp"
 
 namespace mdana {
 namespace {
@@ -24,8 +26,8 @@ class Reader {
       : table_(table), path_(std::move(path)), prefix_(std::move(prefix)) {}
 
   [[noreturn]] void fail(const toml::node& node, std::string_view key, std::string what) const {
-    throw InputError(fmt::format("{}:{}: {}{}: {}", path_, node.source().begin.line, prefix_, key,
-                                 what));
+    throw InputError(fmt::format("{}:{}: {}{}: {}", path_, node.source().begin.line, prefix_,
+                                 shown(key), what));
   }
 
   std::string text(std::string_view key) {
@@ -219,7 +221,7 @@ Scene load_scene(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(fmt::format("{}: no such scene file", file.string()));
   try {
-    return read(toml::parse_file(file.string()), file);
+    return read(toml::parse(toml_text(file), file.string()), file);
   } catch (const toml::parse_error& e) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), e.source().begin.line,
                                  e.description()));

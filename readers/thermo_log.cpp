@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "readers/column_names.hpp"
 #include "readers/flow_list.hpp"
 #include "readers/input_error.hpp"
 #include "readers/line_reader.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana {
 namespace {
@@ -17,6 +19,10 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 constexpr std::string_view beginning = "LAMMPS (";
+
+// Of a log, which is kept in memory as a whole.
+constexpr std::size_t most_numbers = std::size_t{1} << 27;
+constexpr std::size_t most_sections = std::size_t{1} << 20;
 
 /// A number with what its digits tell.
 struct Printed {
@@ -93,7 +99,7 @@ class LogReader {
   void first_line(std::string_view line) {
     if (!line.starts_with(beginning))
       fail("not a log of LAMMPS, which begins with 'LAMMPS (' and its version");
-    log_.version = line.substr(beginning.size(), line.rfind(')') - beginning.size());
+    log_.version = shown(line.substr(beginning.size(), line.rfind(')') - beginning.size()));
   }
 
   void use(std::string_view line) {
@@ -101,7 +107,7 @@ class LogReader {
       ++log_.warnings;
       other_line();
     } else if (line.starts_with("ERROR")) {
-      log_.error = line;
+      log_.error = shown(line, 1000);
       close(false);
     } else if (line.starts_with("Loop time of")) {
       close(true);
@@ -154,7 +160,7 @@ class LogReader {
     const auto found = parse_units(name);
     if (found && log_.units && *found != *log_.units)
       fail(fmt::format("units change from {} to {}; cut the log between the two",
-                       mdana::name(*log_.units), name));
+                       mdana::name(*log_.units), shown(name)));
     if (found) log_.units = found;
   }
 
@@ -172,6 +178,10 @@ class LogReader {
   }
 
   void add_column(std::string_view name) {
+    if (section_.table.columns.size() == most_columns)
+      fail(fmt::format("more than {} columns", most_columns));
+    if (name.size() > longest_column_name)
+      fail(fmt::format("the name '{}' of a column has {} bytes", shown(name), name.size()));
     section_.table.columns.push_back({std::string(name), {}, 0});
   }
 
@@ -180,6 +190,8 @@ class LogReader {
   }
 
   void add_row(const std::vector<Printed>& row) {
+    if ((numbers_ += row.size()) > most_numbers)
+      fail(fmt::format("more than {} numbers; cut the log", most_numbers));
     for (std::size_t k = 0; k < row.size(); ++k) {
       ThermoTable::Column& column = section_.table.columns[k];
       const bool first = column.values.empty();
@@ -198,7 +210,7 @@ class LogReader {
     for (const std::string_view text : texts) {
       const auto number = printed_number(text);
       if (!number)
-        fail(fmt::format("'{}' in column {} is not a number", text.substr(0, 40),
+        fail(fmt::format("'{}' in column {} is not a number", shown(text),
                          section_.table.columns[row.size()].name));
       row.push_back(*number);
     }
@@ -255,7 +267,7 @@ class LogReader {
 
   void block_value(std::string_view name, std::string_view text) {
     const auto number = printed_number(text);
-    if (!number) fail(fmt::format("'{}' of {} is not a number", text.substr(0, 40), name));
+    if (!number) fail(fmt::format("'{}' of {} is not a number", shown(text), shown(name)));
     const bool in_head = block_.size() >= 2 && (name == "Step" || name == "CPU");
     if (!in_head) block_.push_back({std::string(name), *number});
   }
@@ -288,6 +300,8 @@ class LogReader {
     place_ = Place::outside;
     if (!open || doubtful) return;
     section_.finished = finished;
+    if (log_.sections.size() == most_sections)
+      fail(fmt::format("more than {} runs; cut the log", most_sections));
     log_.sections.push_back(std::move(section_));
   }
 
@@ -317,6 +331,7 @@ class LogReader {
   bool sure_ = false;        ///< the keywords stand where LAMMPS prints them
   bool after_rule_ = false;  ///< the line before is "---"
   std::optional<double> timestep_;
+  std::size_t numbers_ = 0;  ///< kept
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana {
 namespace {
@@ -192,7 +193,7 @@ class WordLines::Conversion {
     const bool real = t.real || !parse_number(text, number);
     const std::string& name = layout_.choice_.columns()[k].name;
     wrong(real ? FaultKind::word : FaultKind::not_whole, line, name,
-          fmt::format("'{}' in column {} is not {}", text.substr(0, 40), name,
+          fmt::format("'{}' in column {} is not {}", shown(text, 40), name,
                       t.real ? "a number" : "a whole number in range"));
   }
 

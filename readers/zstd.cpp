@@ -141,6 +141,7 @@ class Zstd final : public ByteSource {
     return reading_.damage().empty() ? waiting_.damage() : reading_.damage();
   }
   double share() const override { return file_->share(); }
+  const std::filesystem::path& path() const override { return file_->path(); }
   InputRecord record() override { return file_->record(); }
 
  private:

@@ -22,20 +22,20 @@ std::optional<double> number_of(std::string_view cell, std::string_view name, co
   }
 }
 
-void add_labels(Table& table, const CsvText& text, std::string_view name) {
+void add_labels(Table& table, const CsvText& text, std::size_t k) {
   std::vector<std::string> words;
-  for (const CsvText::Row& row : text.rows) words.emplace_back(text.cell(row, name));
-  table.add_words(std::string(name), words);
+  for (const CsvText::Row& row : text.rows) words.emplace_back(row.cells[k]);
+  table.add_words(std::string(text.names[k]), words);
 }
 
-void add_column(Table& table, const CsvText& text, std::string_view name) {
+void add_column(Table& table, const CsvText& text, std::size_t k) {
   std::vector<double> values;
   for (const CsvText::Row& row : text.rows) {
-    const auto number = number_of(text.cell(row, name), name, row.place);
-    if (!number) return add_labels(table, text, name);
+    const auto number = number_of(row.cells[k], text.names[k], row.place);
+    if (!number) return add_labels(table, text, k);
     values.push_back(*number);
   }
-  table.add_column({std::string(name), dimension::none}, std::move(values));
+  table.add_column({std::string(text.names[k]), dimension::none}, std::move(values));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Table read_csv_table(const std::filesystem::path& file) {
   const WholeFile whole = read_whole(file);
   const CsvText text = read_csv(whole.text, file.string());
   Table table;
-  for (const std::string_view name : text.names) add_column(table, text, name);
+  for (std::size_t k = 0; k < text.names.size(); ++k) add_column(table, text, k);
   return table;
 }
 

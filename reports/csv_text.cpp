@@ -6,10 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "readers/column_names.hpp"
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana {
 namespace {
+
+constexpr std::size_t most_rows = std::size_t{1} << 21;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -35,13 +39,15 @@ std::string_view content_of(std::string_view line, bool first) {
 
 void take_names(CsvText& table, std::string_view line, std::string place) {
   table.names_place = std::move(place);
-  for (const std::string_view name : cells_of(line)) {
-    if (table.has(name)) throw InputError(fmt::format("{}: column {} stands twice", table.names_place, name));
-    table.names.push_back(name);
-  }
+  const std::vector<std::string_view> names = cells_of(line);
+  const std::string wrong = wrong_names(std::vector<std::string>(names.begin(), names.end()));
+  if (!wrong.empty()) throw InputError(fmt::format("{}: {}", table.names_place, wrong));
+  table.names = names;
 }
 
 void take_row(CsvText& table, std::string_view line, std::string place) {
+  if (table.rows.size() == most_rows)
+    throw InputError(fmt::format("{}: more than {} rows", place, most_rows));
   table.rows.push_back({std::move(place), cells_of(line)});
   const CsvText::Row& row = table.rows.back();
   if (row.cells.size() != table.names.size())
@@ -77,7 +83,7 @@ double csv_number(std::string_view cell, std::string_view name, const std::strin
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size())
-    throw InputError(fmt::format("{}: {} is '{}': a number is expected", place, name, cell));
+    throw InputError(fmt::format("{}: {} is '{}': a number is expected", place, name, shown(cell)));
   return value;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "readers/amber_netcdf/unit_words.hpp"
+#include "readers/column_names.hpp"
 #include "readers/columns.hpp"
 #include "readers/input_error.hpp"
 
@@ -18,7 +19,6 @@ namespace mdana::amber_netcdf {
 namespace {
 
 constexpr std::size_t most_numbers_of_atom = 128;  ///< of a variable; LAMMPS writes up to 100
-constexpr std::size_t most_columns = 1 << 14;
 
 /// Vectors whose components have names of their own.
 struct Vector {
@@ -95,6 +95,9 @@ class ContentReader {
       fail("the dimension 'atom' is unlimited; that of the frames should be");
     if (content_.frames_are_records && content_.frames > 0 && header_.record_bytes == 0)
       fail("the frames hold no numbers");
+    if (std::max(content_.atoms, content_.frames) > header_.file_bytes)
+      fail(fmt::format("{} frames of {} atoms, more than a file of {} bytes can hold", content_.frames,
+                       content_.atoms, header_.file_bytes));
   }
 
   bool in_frames(const Variable& v) const { return !v.axes.empty() && v.axes[0] == frame_; }

@@ -62,9 +62,7 @@ class H5md final : public FrameSource {
         wanted_(wanted),
         particles_(open_h5md(plain(path))),
         absent_(particles_.absent()) {
-    if (particles_.rows() > std::filesystem::file_size(path) * most_compression)
-      throw InputError(fmt::format("{}: {} atoms, more than a file of its size can hold",
-                                   particles_.place(), particles_.rows()));
+    expect_room(std::filesystem::file_size(path) * most_compression);
   }
 
   bool next(FrameHeader& header) override {
@@ -112,6 +110,15 @@ class H5md final : public FrameSource {
   std::vector<InputRecord> records() override { return {bytes_->record()}; }
 
  private:
+  /// Of so many numbers in the file.
+  void expect_room(std::uint64_t numbers) const {
+    const std::uint64_t frames = std::max<std::uint64_t>(particles_.frames({}).begun, 1);
+    const std::uint64_t rows = std::max<std::uint64_t>(particles_.rows(), 1);
+    if (frames > numbers / rows)
+      throw InputError(fmt::format("{}: {} frames of {} atoms, more than a file of its size can hold",
+                                   particles_.place(), frames, rows));
+  }
+
   bool end(const Particles::Frames& frames) const {
     if (frames.begun > frames.whole)
       throw TruncatedInput(fmt::format("{}: of {} frames {} have all their data", particles_.place(),

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "readers/column_names.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana::h5md {
@@ -107,6 +108,10 @@ Particles::Particles(const hdf5::Group& file)
   }
   for (const std::string& name : group_.names())
     if (!known(name) && name != "box") add(name);
+  std::size_t columns = 0;
+  for (const AtomElement& e : elements_) columns += e.columns.size();
+  if (columns > most_columns)
+    throw InputError(fmt::format("{}: {} columns (at most {} are read)", place(), columns, most_columns));
 }
 
 void Particles::add(const std::string& name) {

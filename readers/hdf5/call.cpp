@@ -72,6 +72,14 @@ std::size_t elements_of(Id space, std::size_t most, const std::string& place) {
   return static_cast<std::size_t>(count);
 }
 
+std::vector<hsize_t> chunk_of(Id layout, std::size_t rank, const std::string& place) {
+  std::vector<hsize_t> chunk(std::max<std::size_t>(rank, 1));
+  const int found = read_ok(H5Pget_chunk(layout, static_cast<int>(chunk.size()), chunk.data()), place);
+  if (rank == 0 || static_cast<std::size_t>(found) != rank || std::ranges::count(chunk, hsize_t{0}) > 0)
+    throw InputError(fmt::format("{}: the shape of its chunks is not that of data", place));
+  return chunk;
+}
+
 Handle text_type(std::size_t width) {
   Handle type(H5Tcopy(H5T_C_S1));
   H5Tset_size(type.id(), std::max<std::size_t>(width, 1));

@@ -38,6 +38,9 @@ Kind kind_of(Id type);
 std::size_t elements_of(Id space, std::size_t most, const std::string& place);
 
 /// A type of texts in UTF-8, padded by zeros.
+/// Lengths of a chunk along the axes of a dataset of that rank, none of which is 0.
+std::vector<hsize_t> chunk_of(Id layout, std::size_t rank, const std::string& place);
+
 Handle text_type(std::size_t width);
 
 /// Texts of one width out of those of any length.

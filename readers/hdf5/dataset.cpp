@@ -67,8 +67,7 @@ void check_range(const Dataset& d, std::span<const std::int64_t> values) {
 bool chunk_stored(const Dataset& d, const Shape& place) {
   const std::vector<hsize_t> at(place.begin(), place.end());
   const Handle layout(read_ok(H5Dget_create_plist(d.id()), d.place()));
-  std::vector<hsize_t> chunk(at.size());
-  read_ok(H5Pget_chunk(layout.id(), static_cast<int>(chunk.size()), chunk.data()), d.place());
+  const std::vector<hsize_t> chunk = chunk_of(layout.id(), at.size(), d.place());
   std::vector<hsize_t> corner(at.size());
   for (std::size_t k = 0; k < at.size(); ++k) corner[k] = at[k] / chunk[k] * chunk[k];
   unsigned filters = 0;
@@ -105,8 +104,7 @@ bool Dataset::stored(const Shape& element) const {
   const Handle layout(read_ok(H5Dget_create_plist(id()), place()));
   const auto kind = H5Pget_layout(layout.id());
   if (kind == H5D_CHUNKED) return chunk_stored(*this, element);
-  return kind == H5D_COMPACT || H5Pget_external_count(layout.id()) > 0 ||
-         H5Dget_storage_size(id()) > 0;
+  return kind == H5D_COMPACT || H5Dget_storage_size(id()) > 0;
 }
 
 void Dataset::read(const Slab& slab, std::span<double> into) const {

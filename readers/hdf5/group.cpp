@@ -20,12 +20,37 @@ std::string place_in(const Group& group, const std::string& name) {
   return group.place() + (group.place().ends_with('/') ? "" : "/") + name;
 }
 
+[[noreturn]] void fail_elsewhere(const std::string& place) {
+  throw InputError(fmt::format("{}: stands in another file, which is not read; make one file of the two",
+                               place));
+}
+
+herr_t refuse(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) { return -1; }
+
+/// Access to objects that follows no link to another file, of which no record would tell.
+Handle within_file(Id property_class) {
+  Handle access(H5Pcreate(property_class));
+  H5Pset_elink_cb(access.id(), refuse, nullptr);
+  return access;
+}
+
 /// The object of that name, or nothing that is open.
 Handle opened(const Group& group, const std::string& name) {
   quiet();
   if (H5Lexists(group.id(), name.c_str(), H5P_DEFAULT) <= 0) return {};
-  if (H5Oexists_by_name(group.id(), name.c_str(), H5P_DEFAULT) <= 0) return {};
-  return Handle(read_ok(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), place_in(group, name)));
+  H5L_info_t link;
+  read_ok(H5Lget_info(group.id(), name.c_str(), &link, H5P_DEFAULT), place_in(group, name));
+  if (link.type == H5L_TYPE_EXTERNAL) fail_elsewhere(place_in(group, name));
+  const Handle access = within_file(H5P_LINK_ACCESS);
+  if (H5Oexists_by_name(group.id(), name.c_str(), access.id()) <= 0) return {};
+  return Handle(read_ok(H5Oopen(group.id(), name.c_str(), access.id()), place_in(group, name)));
+}
+
+/// Throws InputError if a dataset's values stand in other files.
+void expect_own_values(const Dataset& d) {
+  const Handle layout(read_ok(H5Dget_create_plist(d.id()), d.place()));
+  if (H5Pget_layout(layout.id()) == H5D_VIRTUAL || H5Pget_external_count(layout.id()) > 0)
+    fail_elsewhere(d.place());
 }
 
 bool is(const Handle& object, H5I_type_t type) {
@@ -43,8 +68,7 @@ std::uint64_t wanted_cache(const Dataset& d) {
   const Handle layout(read_ok(H5Dget_create_plist(d.id()), d.place()));
   if (H5Pget_layout(layout.id()) != H5D_CHUNKED) return 0;
   const Shape shape = d.shape();
-  std::vector<hsize_t> chunk(shape.size());
-  read_ok(H5Pget_chunk(layout.id(), static_cast<int>(chunk.size()), chunk.data()), d.place());
+  const std::vector<hsize_t> chunk = chunk_of(layout.id(), shape.size(), d.place());
   const Handle type(read_ok(H5Dget_type(d.id()), d.place()));
   std::uint64_t bytes = H5Tget_size(type.id());
   for (const hsize_t n : chunk) bytes = product(bytes, n);
@@ -135,9 +159,10 @@ Dataset Group::dataset(const std::string& name) const {
   if (!is(object, H5I_DATASET))
     throw InputError(fmt::format("{}: there is no such dataset", place));
   Dataset plain(std::move(object), place);
+  expect_own_values(plain);
   const std::uint64_t cache = wanted_cache(plain);
   if (cache <= least_cache) return plain;
-  const Handle access(H5Pcreate(H5P_DATASET_ACCESS));
+  const Handle access = within_file(H5P_DATASET_ACCESS);
   H5Pset_chunk_cache(access.id(), cache_slots, std::min(cache, most_cache), 1.0);
   plain = Dataset(Handle{}, place);  // HDF5 takes the cache's size from who opens it first
   return {Handle(read_ok(H5Dopen2(id(), name.c_str(), access.id()), place)), place};

@@ -5,13 +5,14 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <Eigen/LU>
 
+#include "readers/column_names.hpp"
 #include "readers/lammps_binary/byte_order.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana::lammps_binary {
 namespace {
@@ -33,13 +34,6 @@ std::optional<int> name_length(const char* marker, bool swapped) {
   const auto value = load<std::int64_t>(marker, swapped);
   if (value >= 0 || value < -longest_name) return std::nullopt;
   return static_cast<int>(-value);
-}
-
-std::string printable(std::string_view text) {
-  std::string shown(text.substr(0, 40));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return shown;
 }
 
 std::vector<std::string> words(const std::string& text) {
@@ -178,7 +172,7 @@ class HeaderReader {
     file_.fail(
         fmt::format("'{}': of LAMMPS' binary dumps only those of the styles custom and atom "
                     "are read",
-                    printable(name)));
+                    shown(name)));
   }
 
   void order_and_revision() {
@@ -248,7 +242,7 @@ class HeaderReader {
     if (name.empty()) return;
     frame().units = parse_units(name);
     if (!frame().units)
-      file_.fail(fmt::format("unknown units '{}' (known: {})", printable(name), units_names()));
+      file_.fail(fmt::format("unknown units '{}' (known: {})", shown(name), units_names()));
   }
 
   void time() {
@@ -267,10 +261,7 @@ class HeaderReader {
     if (static_cast<std::int64_t>(frame().columns.size()) != columns_of_atom)
       file_.fail(fmt::format("{} columns are named, but an atom has {} numbers",
                              frame().columns.size(), columns_of_atom));
-    std::set<std::string_view> seen;
-    for (const std::string& name : frame().columns)
-      if (!seen.insert(name).second)
-        file_.fail(fmt::format("column '{}' stands twice", printable(name)));
+    if (const std::string wrong = wrong_names(frame().columns); !wrong.empty()) file_.fail(wrong);
   }
 
   Stretches& file_;

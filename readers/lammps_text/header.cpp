@@ -8,7 +8,9 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "readers/column_names.hpp"
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana::lammps_text {
 namespace {
@@ -73,7 +75,7 @@ class HeaderReader {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
-      fail(fmt::format("'{}' is not {}", text,
+      fail(fmt::format("'{}' is not {}", shown(text),
                        std::is_integral_v<T> ? "a whole number in range" : "a number"));
     return value;
   }
@@ -100,7 +102,7 @@ class HeaderReader {
       box(words(std::string_view(item).substr(16)));
     } else {
       fail(fmt::format("'{}' is not a section of a LAMMPS dump header; is the number of atoms of "
-                       "the frame before right?", item.substr(0, 60)));
+                       "the frame before right?", shown(item)));
     }
   }
 
@@ -108,13 +110,13 @@ class HeaderReader {
   void only_once(const std::string& item) {
     const std::string name = section_name(item);
     if (std::ranges::find(seen_, name) != seen_.end())
-      fail(fmt::format("'{}' stands twice in one header", item.substr(0, 60)));
+      fail(fmt::format("'{}' stands twice in one header", shown(item)));
     seen_.push_back(name);
   }
 
   void units(const std::string& text) {
     header_.units = parse_units(text);
-    if (!header_.units) fail(fmt::format("unknown units '{}' (known: {})", text, units_names()));
+    if (!header_.units) fail(fmt::format("unknown units '{}' (known: {})", shown(text), units_names()));
   }
 
   void box(const std::vector<std::string>& flags) {
@@ -154,10 +156,8 @@ class HeaderReader {
     if (!has_box_) fail("no ITEM: BOX BOUNDS before ITEM: ATOMS");
     if (header_.columns.empty())
       fail("ITEM: ATOMS names no columns (dumps of LAMMPS before 2010 are not read)");
-    for (std::size_t i = 0; i < header_.columns.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (header_.columns[i] == header_.columns[j])
-          fail(fmt::format("column '{}' stands twice in ITEM: ATOMS", header_.columns[i]));
+    if (const std::string wrong = wrong_names(header_.columns); !wrong.empty())
+      fail("ITEM: ATOMS: " + wrong);
   }
 
   LineReader& lines_;

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "readers/flow_list.hpp"
+#include "readers/column_names.hpp"
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
 
 namespace mdana::lammps_yaml {
 namespace {
@@ -64,7 +66,7 @@ class HeaderReader {
       if (text == "---") return true;
       if (text != "..." || ended)
         fail(fmt::format("'{}' where a frame should begin with '---'; is natoms of the frame "
-                         "before right?", text.substr(0, 60)));
+                         "before right?", shown(text)));
       ended = true;
     }
     if (lines_.unfinished()) truncated();
@@ -89,7 +91,7 @@ class HeaderReader {
     entry_ = line.substr(0, colon);
     if (colon == line.size() || !known.contains(entry_))
       fail(fmt::format("'{}' is not a line of a LAMMPS YAML dump's header; is natoms of the frame "
-                       "before right?", line.substr(0, 60)));
+                       "before right?", shown(line)));
     if (!seen_.insert(entry_).second) fail(fmt::format("'{}' stands twice", entry_));
     value(std::string(trimmed(std::string_view(line).substr(colon + 1))));
   }
@@ -103,7 +105,7 @@ class HeaderReader {
       header_.time = number<double>(text);
     } else if (entry_ == "units") {
       header_.units = parse_units(text);
-      if (!header_.units) fail(fmt::format("unknown units '{}' (known: {})", text, units_names()));
+      if (!header_.units) fail(fmt::format("unknown units '{}' (known: {})", shown(text), units_names()));
     } else if (entry_ == "boundary") {
       periodicity(words(text));
     } else if (entry_ == "keywords") {
@@ -117,13 +119,13 @@ class HeaderReader {
     if (entry_ == "box" && box_.size() < 4) {
       box_.push_back(words(item));
     } else if (entry_ != "thermo" || !is_named_list(item)) {
-      fail(fmt::format("'- {}' is not an item of '{}:'", item.substr(0, 60), entry_));
+      fail(fmt::format("'- {}' is not an item of '{}:'", shown(item), entry_));
     }
   }
 
   std::vector<std::string> words(std::string_view text) const {
     auto found = flow_list(text);
-    if (!found) fail(fmt::format("'{}' is not a list [ ... ] on one line", text.substr(0, 60)));
+    if (!found) fail(fmt::format("'{}' is not a list [ ... ] on one line", shown(text)));
     return *std::move(found);
   }
 
@@ -132,7 +134,7 @@ class HeaderReader {
     T result{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
     if (error != std::errc{} || end != text.data() + text.size())
-      fail(fmt::format("'{}' of '{}:' is not {}", text.substr(0, 40), entry_,
+      fail(fmt::format("'{}' of '{}:' is not {}", shown(text), entry_,
                        std::is_integral_v<T> ? "a whole number in range" : "a number"));
     return result;
   }
@@ -145,10 +147,7 @@ class HeaderReader {
   }
 
   void columns(std::vector<std::string> names) {
-    std::set<std::string_view> different;
-    for (const std::string& name : names)
-      if (!different.insert(name).second)
-        fail(fmt::format("column '{}' stands twice in 'keywords:'", name));
+    if (const std::string wrong = wrong_names(names); !wrong.empty()) fail("'keywords:': " + wrong);
     if (names.empty()) fail("'keywords:' names no columns");
     header_.columns = std::move(names);
   }

@@ -7,6 +7,7 @@
 
 #include "readers/flow_list.hpp"
 #include "readers/input_error.hpp"
+#include "readers/line_reader.hpp"
 #include "readers/word_lines.hpp"
 
 namespace mdana::lammps_yaml {
@@ -93,17 +94,18 @@ Chunk Rows::word_lines(const Chunk& chunk) const {
   words.number = chunk.number;
   words.atoms = chunk.atoms;
   words.first_line = chunk.first_line;
-  words.storage.assign(chunk.bytes.size() + Chunk::padding, ' ');
+  words.storage.assign(LineReader::lead + chunk.bytes.size() + Chunk::padding, ' ');
+  char* const out = words.storage.data() + LineReader::lead;
   std::size_t at = 0;
   for (std::size_t i = 0; i < chunk.atoms; ++i) {
     const std::size_t end = chunk.bytes.find('\n', at);
-    const std::string wrong = copy_row(chunk.bytes.substr(at, end - at), words.storage.data() + at);
+    const std::string wrong = copy_row(chunk.bytes.substr(at, end - at), out + at);
     if (!wrong.empty())
       throw InputError(fmt::format("{}:{}: {}", path_, chunk.first_line + i, wrong));
-    words.storage[end] = '\n';
+    out[end] = '\n';
     at = end + 1;
   }
-  words.bytes = {words.storage.data(), chunk.bytes.size()};
+  words.bytes = {out, chunk.bytes.size()};
   return words;
 }
 

@@ -11,6 +11,8 @@
 #include "fits/collision_law.hpp"
 #include "readers/frame_choice.hpp"
 #include "readers/input_error.hpp"
+#include "readers/shown.hpp"
+#include "readers/toml_text.hpp"
 #include "reports/study/found.hpp"
 #include "reports/figure_kinds.hpp"
 
@@ -26,7 +28,7 @@ class Entries {
       : table_(table), path_(std::move(path)), prefix_(std::move(prefix)) {}
 
   [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}{}: {}", path_, node.source().begin.line, prefix_, key, what));
+    throw InputError(fmt::format("{}:{}: {}{}: {}", path_, node.source().begin.line, prefix_, shown(key), what));
   }
 
   const toml::node* take(std::string_view key) {
@@ -56,7 +58,7 @@ class Entries {
     for (const toml::node& entry : *node->as_array()) {
       const auto word = entry.is_string() ? entry.value<std::string>() : std::nullopt;
       if (!word || std::ranges::find(known, *word) == known.end())
-        fail(entry, key, fmt::format("{}is none of {}", word ? "'" + *word + "' " : "", fmt::join(known, ", ")));
+        fail(entry, key, fmt::format("{}is none of {}", word ? "'" + shown(*word) + "' " : "", fmt::join(known, ", ")));
       into.push_back(*word);
     }
   }
@@ -107,7 +109,7 @@ PlannedRun read_run(const toml::node& node, const std::string& path, const fs::p
   entries.text("log", log);
   entries.finish();
   if (run.name.empty()) entries.fail(node, "name", "every run needs one");
-  if (scene.empty()) entries.fail(node, "scene", fmt::format("run '{}' needs a scene file", run.name));
+  if (scene.empty()) entries.fail(node, "scene", fmt::format("run '{}' needs a scene file", shown(run.name)));
   run.scene = scene;
   run.log = log;
   try {
@@ -132,7 +134,7 @@ void read_runs(Entries& entries, StudyPlan& plan) {
   for (const toml::node& entry : *node->as_array()) {
     plan.runs.push_back(read_run(entry, entries.path(), plan.directory));
     if (!names.insert(plan.runs.back().name).second)
-      entries.fail(entry, "run.name", fmt::format("'{}' stands twice", plan.runs.back().name));
+      entries.fail(entry, "run.name", fmt::format("'{}' stands twice", shown(plan.runs.back().name)));
   }
 }
 
@@ -164,7 +166,7 @@ StudyPlan read_study(const fs::path& input) {
   if (!fs::is_regular_file(input))
     throw InputError(fmt::format("{}: No such file or directory; a study file or a directory with runs is expected", input.string()));
   try {
-    return read(toml::parse_file(input.string()), input);
+    return read(toml::parse(toml_text(input), input.string()), input);
   } catch (const toml::parse_error& e) {
     throw InputError(fmt::format("{}:{}: {}", input.string(), e.source().begin.line, e.description()));
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/study/run_checks.hpp"
 
-#include <ranges>
+#include <sstream>
 
 namespace mdana {
 namespace {
@@ -33,8 +33,9 @@ Json stability_json(const std::vector<StabilityRow>& stability) {
 /// The object of a number with dots in its name; nothing if the document has none.
 Json* find_number(Json& document, const std::string& name) {
   Json* at = &document;
-  for (const auto part : std::views::split(name, '.')) {
-    const auto next = at->is_object() ? at->find(std::string(part.begin(), part.end())) : at->end();
+  std::istringstream parts(name);
+  for (std::string part; std::getline(parts, part, '.');) {
+    const auto next = at->is_object() ? at->find(part) : at->end();
     if (next == at->end()) return nullptr;
     at = &*next;
   }

@@ -169,6 +169,17 @@ TEST_P(Gzip, CorruptDataSaySo) {
   }
 }
 
+/// A fuzzer's: of these bytes ISA-L counts more as taken than there are.
+TEST_P(Gzip, DamageIsNotBehindTheEnd) {
+  const std::filesystem::path seed = MDANA_SOURCE_DIR "/tests/fuzz/seeds/gzip/wrong_distance";
+  const auto source = open_gzip(std::make_unique<RawFile>(seed), GetParam().make());
+  rest_of(*source);
+  const std::string damage = source->damage();
+  const std::size_t number = damage.rfind("byte ");
+  ASSERT_NE(number, std::string::npos) << damage;
+  EXPECT_LE(std::stoull(damage.substr(number + 5)), std::filesystem::file_size(seed)) << damage;
+}
+
 TEST_P(Gzip, MarkAndResetInTheMiddle) {
   const std::string text = long_text();
   const std::string packed =

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/fuzz/reading.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace mdana::fuzz {
+
+void zstd(std::string_view bytes) { read_dump(input_file("zstd.input", bytes)); }
+
+}  // namespace mdana::fuzz
