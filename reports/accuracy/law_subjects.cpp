@@ -57,6 +57,33 @@ std::vector<JudgedNumber> fitted_numbers(const ContactFit& fit, bool bootstrap) 
   return numbers;
 }
 
+/// chi2 of each law; errors are parts of it, where standard errors are known at least of what the residuals are expected to sum
+/// up to, one each.
+std::vector<JudgedNumber> compared_numbers(const ComparedLaws& compared) {
+  if (compared.laws.empty()) throw InputError("no law can be computed from the data");
+  std::vector<JudgedNumber> numbers;
+  for (const ComparedLaw& c : compared.laws) {
+    const double expected = c.fit.known_errors ? static_cast<double>(c.fit.points.size()) : 0;
+    if (!std::isfinite(c.fit.chi2)) continue;
+    const double error = c.fit.parameters.empty() ? 0 : c.fit.chi2 * std::pow(10, -c.fit.digits);
+    numbers.push_back({fmt::format("{}.chi2", c.law->name), {c.fit.chi2, error, dimension::none}, std::max(expected, c.fit.chi2)});
+  }
+  return numbers;
+}
+
+/// Knobs of every fit of collision laws.
+std::vector<Knob> search_knobs() {
+  return {knob_of("starts", "where searches begin", Reference::finest, 0, starts,
+                  [](int n) { return KnobValue{fmt::format("{}", n), 1.0 / n}; }),
+          knob_of("loss", "how outliers are damped", Reference::standard, 0, losses,
+                  [](Loss loss) { return KnobValue{std::string(name(loss))}; })};
+}
+
+void set_search(const KnobChoice& choice, ContactFitSettings& settings) {
+  if (choice.values.contains("starts")) settings.starts = starts[choice.of("starts")];
+  if (choice.values.contains("loss")) settings.loss = losses[choice.of("loss")];
+}
+
 }  // namespace
 
 AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& input, const CollisionSettings& settings) {
@@ -73,23 +100,27 @@ AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& i
 
 AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<ObservedCollision> seen,
                                     const ContactFitSettings& settings) {
-  AccuracySubject subject{fmt::format("fit-contact {}", law.name), {}, {}};
-  subject.knobs.push_back(knob_of("starts", "where searches begin", Reference::finest, 0, starts, [](int n) {
-    return KnobValue{fmt::format("{}", n), 1.0 / n};
-  }));
-  subject.knobs.push_back(knob_of("loss", "how outliers are damped", Reference::standard, 0, losses, [](Loss loss) {
-    return KnobValue{std::string(name(loss))};
-  }));
+  AccuracySubject subject{fmt::format("fit-contact {}", law.name), search_knobs(), {}};
   subject.knobs.push_back(bootstrap_knob());
   subject.measure = [&law, seen = std::move(seen), settings](const KnobChoice& choice) {
     ContactFitSettings s = settings;
     const bool bootstrap = choice.values.contains("bootstrap");
     s.intervals = {};
-    if (choice.values.contains("starts")) s.starts = starts[choice.of("starts")];
-    if (choice.values.contains("loss")) s.loss = losses[choice.of("loss")];
+    set_search(choice, s);
     if (bootstrap) s.intervals.draws = bootstrap_draws[choice.of("bootstrap")];
     s.intervals.seed = choice.draw;
     return fitted_numbers(fit_contact(law, seen, s), bootstrap);
+  };
+  return subject;
+}
+
+AccuracySubject compare_laws_subject(const Observations& observations, const ContactFitSettings& settings) {
+  AccuracySubject subject{"compare-laws", search_knobs(), {}};
+  subject.measure = [observations, settings](const KnobChoice& choice) {
+    ContactFitSettings s = settings;
+    s.cross_validation = false;
+    set_search(choice, s);
+    return compared_numbers(compare_laws(observations, s));
   };
   return subject;
 }
