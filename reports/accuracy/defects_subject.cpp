@@ -86,6 +86,7 @@ AccuracySubject defects_subject(const DumpQuestion& question) {
   std::vector<DumpKnob> knobs = defect_knobs();
   for (DumpKnob& knob : knobs) knob.knob.reference = Reference::bits;
   AccuracySubject subject = dump_subject("defects", question, together(sweep_knobs(), std::move(knobs)), defect_numbers);
+  subject.fixed.push_back({"neighbour-criterion", "local cutoff", "of each atom from its own neighbours: nothing to choose"});
   subject.fixed.push_back({"zone-shell", "1.94 spacings", "as far as a tetrahedron that is filled reaches: tested by the knob zone"});
   return subject;
 }

@@ -15,6 +15,7 @@ constexpr std::array<int, 5> starts{16, 8, 4, 2, 1};
 constexpr std::array<Loss, 3> losses{Loss::none, Loss::huber, Loss::cauchy};
 constexpr std::array<std::size_t, 4> bootstrap_draws{320, 80, 40, 20};
 constexpr int seeds = 8;
+const FixedChoice collision_tolerance{"collision-tolerance", "1e-9 of e", "what is looser is hardly cheaper, and dearer in stiff laws"};
 
 std::vector<JudgedNumber> predicted_numbers(const Collision& c) {
   if (c.outcome == CollisionOutcome::unresolved) throw InputError("unresolved: " + c.reason);
@@ -90,6 +91,7 @@ AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& i
   AccuracySubject subject{fmt::format("predict {}", law.name), {}, {}};
   subject.knobs.push_back(knob_of("tolerance", "wanted error of e", Reference::finest, 1, tolerances,
                                   [](double t) { return KnobValue{fmt::format("{:.0e}", t), t}; }));
+  subject.fixed.push_back({"method", "Radau IIA, order 9", "for stiff laws and others; laws in closed form need none"});
   subject.measure = [&law, input, settings](const KnobChoice& choice) {
     CollisionSettings s = settings;
     s.tolerance = tolerances[choice.of("tolerance")];
@@ -102,6 +104,7 @@ AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<Observe
                                     const ContactFitSettings& settings) {
   AccuracySubject subject{fmt::format("fit-contact {}", law.name), search_knobs(), {}};
   subject.knobs.push_back(bootstrap_knob());
+  subject.fixed.push_back(collision_tolerance);
   subject.measure = [&law, seen = std::move(seen), settings](const KnobChoice& choice) {
     ContactFitSettings s = settings;
     const bool bootstrap = choice.values.contains("bootstrap");
@@ -116,6 +119,7 @@ AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<Observe
 
 AccuracySubject compare_laws_subject(const Observations& observations, const ContactFitSettings& settings) {
   AccuracySubject subject{"compare-laws", search_knobs(), {}};
+  subject.fixed.push_back(collision_tolerance);
   subject.measure = [observations, settings](const KnobChoice& choice) {
     ContactFitSettings s = settings;
     s.cross_validation = false;

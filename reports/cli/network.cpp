@@ -103,7 +103,8 @@ int run_command(const Values& values) {
   const Radii radii = find_radii(run, options);
   DumpQuestion question{run, options, sweeping};
   question.network = wanted;
-  const auto chosen = choose_stride(values, network_subject(question), sweeping);
+  std::optional<Recommendation> chosen;  // the subject reads the first frame
+  if (wanted_error(values)) chosen = choose_stride(values, network_subject(question), sweeping);
   const NetworkSetup setup = network_setup(run, radii, wanted);
   const MeasuredNetwork measured = measure_network(run, radii, setup, sweeping);
 

@@ -33,20 +33,21 @@ class KnownBounce(Case):
         self.frames = [f.without("fx", "fy", "fz") for f in frames]
         self.dump = dumps.write(self.dir / "bounce.dump", self.frames)
 
-    def accuracy(self, *arguments, code=0):
-        return self.document("accuracy", self.dump, "--radius", "5", "--only", "force", "--repeat", "1",
+    def accuracy(self, *arguments, code=0, only="force"):
+        return self.document("accuracy", self.dump, "--radius", "5", "--only", only, "--repeat", "1",
                              *arguments, code=code)
 
     def truths(self):
         return {"F_max": (self.top, self.top), "delta_max": (self.depth, self.depth), "F_min_loading": (0.0, self.top)}
 
     def test_errors_of_strides_hold_the_true_ones(self):
-        rows = rows_of(self.accuracy("--knob", "stride"), "force", "stride")
-        for name, (truth, size) in self.truths().items():
-            self.assertGreaterEqual(len(rows[name]), 3)
-            for row in rows[name]:
-                true = abs(row["value"] - truth) / size
-                self.assertLessEqual(true, 2 * max(row["error"], row["stated"] or 0) + 1e-9, f"{name}, {row['setting']}")
+        for subject in ("force", "collision"):
+            rows = rows_of(self.accuracy("--knob", "stride", only=subject), subject, "stride")
+            for name, (truth, size) in self.truths().items():
+                self.assertGreaterEqual(len(rows[name]), 3)
+                for row in rows[name]:
+                    true = abs(row["value"] - truth) / size
+                    self.assertLessEqual(true, 2 * max(row["error"], row["stated"] or 0) + 1e-9, f"{subject}, {name}, {row['setting']}")
 
     def test_digits_of_the_input_cost_a_factor_of_ten_each(self):
         self.dump.write_text(shortened(self.dump.read_text(), 8))
