@@ -149,13 +149,13 @@ double area_noise(const ForceCurve& curve, std::size_t first, std::size_t last, 
 }
 
 ForceCurve measure(const RelativeMotion& motion, ForceSource source, Units units,
-                   double radius_sum, int window, const ForceCurve* fine = nullptr) {
+                   double radius_sum, ForceDerivative by, const ForceCurve* fine = nullptr) {
   ForceCurve curve;
-  curve.window = window;
+  curve.window = by.window;
   curve.distance = motion.distance();
   for (const double x : curve.distance) curve.delta.push_back(radius_sum - x);
   curve.speed = approach_speed(motion);
-  curve.force = interparticle_force(motion, source, units, window > 0 ? window : 5);
+  curve.force = interparticle_force(motion, source, units, by);
   curve.contact = have_contact(curve, motion, units);
   curve.phase.assign(curve.delta.size(), Phase::approach);
   curve.delta_max = {largest(curve.delta), {}, dimension::length};
@@ -291,18 +291,18 @@ std::string_view name(Outcome outcome) {
 }
 
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
-                       double radius_sum, int window) {
-  const ForceSeries series = force_series(motion, source, units, window);
-  ForceCurve curve = measure(motion, source, units, radius_sum, series.window);
+                       double radius_sum, ForceDerivative by) {
+  const ForceSeries series = force_series(motion, source, units, by);
+  by.window = series.window;
+  ForceCurve curve = measure(motion, source, units, radius_sum, by);
   for (std::size_t i = 0; i < curve.force.size(); ++i) curve.force_error.push_back(series.error(i));
-  if (!curve.contact || motion.frames() / 2 <= second_derivative.degree) return curve;
+  if (!curve.contact || motion.frames() / 2 <= by.degree) return curve;
   curve.coarse = is_coarse(series);
   widen(curve.force_max, missed_above(curve.force));
   widen(curve.force_min_loading, missed_below(curve.force, curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles[0].turn));
   widen(curve.delta_max, missed_above(curve.delta));
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
-    const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum,
-                                      series.window, &curve);
+    const ForceCurve coarse = measure(motion.subset(first, 2), source, units, radius_sum, by, &curve);
     widen(curve.force_max, coarse.force_max);
     widen(curve.force_min_loading, coarse.force_min_loading);
     widen(curve.delta_max, coarse.delta_max);

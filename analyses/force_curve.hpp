@@ -80,9 +80,9 @@ struct ForceCurve {
 bool energies_disagree(const ForceCurve& curve);
 
 /// Reads phases, turning points, outcome and loop area off the motion.
-/// `radius_sum` is R1 + R2, `window` as in force_series. Throws InputError as interparticle_force does.
+/// `radius_sum` is R1 + R2, `by` as in force_series. Throws InputError as interparticle_force does.
 ForceCurve force_curve(const RelativeMotion& motion, ForceSource source, Units units,
-                       double radius_sum, int window = 0);
+                       double radius_sum, ForceDerivative by = {});
 
 /// Columns step, [time,] X, delta, [v,] F, F_error, phase, lost (atoms), and the bodies' centres of mass x1 y1 z1 x2 y2 z2 and
 /// velocities vx1 ... of the motion table, as far as they were measured: a row a frame.

@@ -34,11 +34,11 @@ double rms_difference(const Series& a, const Series& b, const Series& force) {
 }
 
 /// At every frame the force from every `stride`-th frame before and behind it.
-Series sampled_force(const RelativeMotion& motion, ForceSource source, Units units, int window,
+Series sampled_force(const RelativeMotion& motion, ForceSource source, Units units, ForceDerivative by,
                      std::size_t stride) {
   Series force(static_cast<std::size_t>(motion.frames()));
   for (std::size_t first = 0; first < stride; ++first) {
-    const Series part = interparticle_force(motion.subset(first, stride), source, units, window);
+    const Series part = interparticle_force(motion.subset(first, stride), source, units, by);
     for (std::size_t k = 0; k < part.size(); ++k) force[first + k * stride] = part[k];
   }
   return force;
@@ -46,12 +46,13 @@ Series sampled_force(const RelativeMotion& motion, ForceSource source, Units uni
 
 /// Factors from the noise of samples to that of the force, by the place in the window (a stretch in the middle
 /// of the series, where times are as even as anywhere).
-Series noise_gains(const RelativeMotion& motion, ForceSource source, Units units, int window) {
+Series noise_gains(const RelativeMotion& motion, ForceSource source, Units units, ForceDerivative by) {
   const std::size_t n = motion.times.size();
-  const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(window), n);
+  const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(by.window), n);
   const std::span<const double> times(&motion.times[(n - length) / 2], length);
   DerivativeRule rule = source == ForceSource::velocities ? first_derivative : second_derivative;
-  rule.window = window;
+  rule.degree = by.degree;
+  rule.window = by.window;
   const auto size = static_cast<Eigen::Index>(length);
   const Eigen::MatrixXd weights = derivative(times, Eigen::MatrixXd::Identity(size, size), rule);
   Series gains;
@@ -62,7 +63,7 @@ Series noise_gains(const RelativeMotion& motion, ForceSource source, Units units
 
 /// A window and what it gives.
 struct Candidate {
-  int window;
+  ForceDerivative by;
   Series force, gains;
   double noise;  ///< in the middle
 };
@@ -74,20 +75,22 @@ bool is_explained(const Candidate& longer, const std::vector<Candidate>& shorter
   });
 }
 
-Candidate best_window(const RelativeMotion& motion, ForceSource source, Units units, int given) {
+Candidate best_window(const RelativeMotion& motion, ForceSource source, Units units, ForceDerivative given) {
   const double noise =
       source == ForceSource::velocities ? motion.velocity_noise : motion.position_noise;
   const auto candidate = [&](int window) {
-    Series gains = noise_gains(motion, source, units, window);
+    const ForceDerivative by{window, given.degree};
+    Series gains = noise_gains(motion, source, units, by);
     const double middle = noise * gains[gains.size() / 2];
-    return Candidate{window, interparticle_force(motion, source, units, window), std::move(gains), middle};
+    return Candidate{by, interparticle_force(motion, source, units, by), std::move(gains), middle};
   };
-  if (given > 0) return candidate(given);
-  std::vector<Candidate> candidates;
+  if (given.window > 0) return candidate(given.window);
+  std::vector<Candidate> candidates{candidate(given.degree + 1)};
   for (const int window : derivative_windows) {
-    if (!candidates.empty() && window > motion.frames() / 2) break;
+    if (window <= given.degree + 1) continue;
+    if (window > motion.frames() / 2) break;
     Candidate next = candidate(window);
-    if (!candidates.empty() && !is_explained(next, candidates)) break;
+    if (!is_explained(next, candidates)) break;
     candidates.push_back(std::move(next));
   }
   return candidates.back();
@@ -101,14 +104,15 @@ double local_rms(const Series& a, const Series& b, std::size_t i) {
   return std::sqrt(sum / static_cast<double>(last - first));
 }
 
-void find_truncation(const RelativeMotion& motion, ForceSource source, Units units,
+void find_truncation(const RelativeMotion& motion, ForceSource source, Units units, ForceDerivative by,
                      ForceSeries& series) {
-  if (motion.frames() / 4 <= first_derivative.degree) return;
-  const Series half = sampled_force(motion, source, units, series.window, 2);
-  const Series quarter = sampled_force(motion, source, units, series.window, 4);
+  if (motion.frames() / 4 <= by.degree) return;
+  const Series half = sampled_force(motion, source, units, by, 2);
+  const Series quarter = sampled_force(motion, source, units, by, 4);
   const double fine = rms_difference(series.value, half, series.value);
   const double coarse = rms_difference(half, quarter, series.value);
-  series.order = fine > 0 && coarse > 0 ? std::clamp(std::log2(coarse / fine), 0.0, 4.0) : 4;
+  const double greatest = by.degree;
+  series.order = fine > 0 && coarse > 0 ? std::clamp(std::log2(coarse / fine), 0.0, greatest) : greatest;
   const double divisor = std::exp2(std::max(series.order, 1.0)) - 1;
   for (std::size_t i = 0; i < series.value.size(); ++i)
     series.truncation.push_back(local_rms(series.value, half, i) / divisor);
@@ -142,21 +146,21 @@ double ForceSeries::noise_at(std::size_t i) const {
   return middle * edges[i - first];
 }
 
-ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units, int window) {
+ForceSeries force_series(const RelativeMotion& motion, ForceSource source, Units units, ForceDerivative by) {
   ForceSeries series;
   if (source == ForceSource::forces) {
     series.value = interparticle_force(motion, source, units);
     series.noise = noise_of(series.value);
     return series;
   }
-  interparticle_force(motion, source, units);  // throws if the source is not there
-  Candidate best = best_window(motion, source, units, window);
+  interparticle_force(motion, source, units, by);  // throws if the source is not there
+  Candidate best = best_window(motion, source, units, by);
   series.value = std::move(best.force);
   series.noise = best.noise;
   series.scatter = noise_of(series.value);
-  series.window = best.window;
+  series.window = best.by.window;
   for (const double gain : best.gains) series.edges.push_back(gain / best.gains[best.gains.size() / 2]);
-  find_truncation(motion, source, units, series);
+  find_truncation(motion, source, units, best.by, series);
   return series;
 }
 

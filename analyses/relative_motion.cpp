@@ -14,8 +14,9 @@ namespace mdana {
 namespace {
 
 Eigen::MatrixXd differentiate(const RelativeMotion& motion, const Eigen::Matrix3Xd& samples,
-                              DerivativeRule rule, int window) {
-  rule.window = window;
+                              DerivativeRule rule, ForceDerivative by) {
+  rule.degree = by.degree;
+  rule.window = by.window > 0 ? by.window : by.degree + 1;
   if (motion.frames() <= rule.degree)
     throw InputError(fmt::format("{} frames are too few to differentiate; {} are needed",
                                  motion.frames(), rule.degree + 1));
@@ -173,7 +174,7 @@ std::vector<double> squared_speed(const RelativeMotion& motion) {
 }
 
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
-                                        Units units, int window) {
+                                        Units units, ForceDerivative by) {
   if (!motion.can_give(source))
     throw InputError(fmt::format("the force cannot be had from {}: {}", name(source),
                                  motion.times.empty() && source != ForceSource::forces
@@ -185,11 +186,11 @@ std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSourc
       return along_centre_line(motion, motion.acceleration, motion.reduced_mass);
     case ForceSource::velocities:
       return along_centre_line(
-          motion, differentiate(motion, motion.velocity, first_derivative, window),
+          motion, differentiate(motion, motion.velocity, first_derivative, by),
           from_acceleration);
     case ForceSource::positions:
       return along_centre_line(
-          motion, differentiate(motion, motion.position, second_derivative, window),
+          motion, differentiate(motion, motion.position, second_derivative, by),
           from_acceleration);
   }
   return {};

@@ -66,13 +66,18 @@ std::vector<double> approach_speed(const RelativeMotion& motion);
 /// Squared relative speed [velocity^2] of every frame; empty as approach_speed.
 std::vector<double> squared_speed(const RelativeMotion& motion);
 
+/// How a force is differentiated from speeds or positions.
+struct ForceDerivative {
+  int window = 0;  ///< frames, odd, more than the degree; 0: as many as the noise justifies, here degree + 1
+  int degree = 4;  ///< of the polynomials: even, 2 to 8; in the middle of a window truncation is of this order
+};
+
 /// Force between the bodies along their centre line, positive if repulsive, in the unit system's
 /// force unit: m* times relative acceleration (Yoshida, Kokubo & Tanaka 2024, Sec. IV A 1).
-/// Derivatives are those of polynomials of degree 4 over `window` frames.
 /// Throws InputError if the source is not there, frames are too few to differentiate, or the centres
 /// coincide.
 std::vector<double> interparticle_force(const RelativeMotion& motion, ForceSource source,
-                                        Units units, int window = 5);
+                                        Units units, ForceDerivative by = {});
 
 /// Five-point formulas, exact for polynomials of degree 4.
 inline constexpr DerivativeRule first_derivative{1, 4, 5};

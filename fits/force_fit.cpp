@@ -241,6 +241,14 @@ void judge(ForceFit& f, const Problem& p) {
 
 std::string_view name(ForcePart part) { return part == ForcePart::loading ? "loading" : "loop"; }
 
+std::vector<std::string> usual_free_parameters(const ForceLaw& law) {
+  std::vector<std::string> free;
+  for (const ContactParameter& p : law.parameters)
+    if (p.name != "R*") free.emplace_back(p.name);
+  free.push_back("R");
+  return free;
+}
+
 ForceFit fit_force(const ForceLaw& law, const ForceData& data, const ForceFitSettings& settings) {
   check_free(law, settings.free);
   Problem p{law, data, settings, choose(data, settings), 0, 0, true, {}};

@@ -26,6 +26,9 @@ struct ForceData {
 enum class ForcePart { loading, loop };
 std::string_view name(ForcePart part);
 
+/// All parameters of the law but R*, and R.
+std::vector<std::string> usual_free_parameters(const ForceLaw& law);
+
 struct ForceFitSettings {
   /// Names of the law's parameters; besides, `R` = (R1 + R2)/2 at a given R1/R2, or `offset`, which is
   /// added to delta at given radii. Not both: they are nearly the same.

@@ -51,6 +51,11 @@ struct Knob {
   int draws = 1;        ///< more: values are drawn at random; errors are root mean squares over the draws
 };
 
+/// What could be chosen elsewhere, and is not: told beside the knobs.
+struct FixedChoice {
+  std::string name, value, reason;  ///< "block-size", "32768 atoms", why
+};
+
 /// What is chosen: the values of knobs that are not at their first one, and the seed of draws.
 struct KnobChoice {
   std::map<std::string, std::size_t, std::less<>> values;
@@ -65,6 +70,7 @@ struct AccuracySubject {
   std::vector<Knob> knobs;
   std::function<std::vector<JudgedNumber>(const KnobChoice&)> measure;  ///< throws InputError
   std::map<std::string, double> exact = {};  ///< numbers that are known
+  std::vector<FixedChoice> fixed = {};
 
   const Knob& knob(std::string_view name) const;  ///< throws std::out_of_range
 };
@@ -129,6 +135,9 @@ Recommendation choose(const AccuracySubject& subject, const Knob& knob, double w
 
 /// The subject with some of its numbers only. Throws InputError, when it is measured, if it has none of them.
 AccuracySubject judged_by(AccuracySubject subject, std::vector<std::string> numbers);
+
+/// The row of what is fixed: no number, no error.
+AccuracyRow fixed_row(const AccuracySubject& subject, const FixedChoice& fixed);
 
 /// Columns input, subject, knob, setting, number, quantity, curve (of a figure: the names before), value,
 /// error, stated, order, seconds, spread, memory: a row a row.

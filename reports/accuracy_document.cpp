@@ -54,6 +54,12 @@ void add_ladder_lines(Document& document, const Ladder& ladder) {
   if (!ladder.left_out.empty()) document.left_out(label, ladder.left_out);
 }
 
+void add_fixed_line(Document& document, const std::string& subject, const FixedChoice& fixed) {
+  document.line(fmt::format("{}, {}", subject, fixed.name), fmt::format("{:<16} fixed: {}", fixed.value, fixed.reason));
+}
+
+Json to_json(const FixedChoice& fixed) { return {{"knob", fixed.name}, {"value", fixed.value}, {"reason", fixed.reason}}; }
+
 Json to_json(const Ladder& ladder) {
   Json json{{"knob", ladder.knob.name}, {"meaning", ladder.knob.meaning}, {"reference", name(ladder.knob.reference)}};
   json["order"] = ladder.knob.order > 0 ? Json(ladder.knob.order) : Json(nullptr);

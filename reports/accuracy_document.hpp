@@ -9,6 +9,10 @@ namespace mdana {
 /// A ladder as lines, the number with the greatest error at each value.
 void add_ladder_lines(Document& document, const Ladder& ladder);
 
+/// What is fixed as a line, and its knob, value, reason.
+void add_fixed_line(Document& document, const std::string& subject, const FixedChoice& fixed);
+nlohmann::ordered_json to_json(const FixedChoice& fixed);
+
 /// knob, meaning, reference, order, draws, rows, left_out.
 nlohmann::ordered_json to_json(const Ladder& ladder);
 

@@ -3,10 +3,14 @@
 
 #include <vector>
 
+#include "analyses/defects.hpp"
 #include "fits/contact_fit.hpp"
+#include "fits/force_fit.hpp"
 #include "reports/accuracy.hpp"
 #include "reports/analysed_run.hpp"
+#include "reports/compared_laws.hpp"
 #include "reports/compressed.hpp"
+#include "reports/network.hpp"
 #include "reports/run.hpp"
 
 namespace mdana {
@@ -22,15 +26,24 @@ struct DumpQuestion {
   HertzSettings hertz = {};
   Split split = Split::sign;               ///< of aggregates
   SurfaceOffset offset = {};
+  NetworkOptions network = {};             ///< likewise
+  const ForceLaw* law = nullptr;           ///< of fit-force
+  ForceFitSettings force_fit = {};
+  DefectSettings defects = {};
 };
 
 /// The analyses of a dump of two bodies with their knobs. Each judges the numbers that its command publishes;
-/// errors of differences (least force, loop area, losses) are parts of F_max and of the kinetic energy.
+/// errors of differences (least force, loop area, losses) are parts of F_max and of the kinetic energy. Some throw InputError
+/// where their command would.
 AccuracySubject force_subject(const DumpQuestion& question);
 AccuracySubject contact_radius_subject(const DumpQuestion& question);
 AccuracySubject energy_subject(const DumpQuestion& question);
 AccuracySubject fit_hertz_subject(const DumpQuestion& question);
+AccuracySubject fit_force_subject(const DumpQuestion& question);  ///< of a law
+AccuracySubject collision_subject(const DumpQuestion& question);
+AccuracySubject surface_energy_subject(const DumpQuestion& question);  ///< of body 1 by the scene's potential
 AccuracySubject compress_subject(const DumpQuestion& question);
+AccuracySubject network_subject(const DumpQuestion& question);
 AccuracySubject defects_subject(const DumpQuestion& question);  ///< measure throws if this build has none
 
 /// Those that apply to a scene; what they cannot tell is left out, with the reason.
@@ -58,5 +71,8 @@ AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& i
 /// Parameters of a law from collisions that were seen; knobs: starts, loss, draws of the bootstrap.
 AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<ObservedCollision> seen,
                                     const ContactFitSettings& settings);
+
+/// All laws on collisions that were seen, by what their AIC follows from; knobs: starts, loss.
+AccuracySubject compare_laws_subject(const Observations& observations, const ContactFitSettings& settings);
 
 }  // namespace mdana

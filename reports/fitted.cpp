@@ -31,12 +31,18 @@ nlohmann::ordered_json details(const Value& fitted, const Spread& spread, std::s
   return json;
 }
 
+std::size_t first_turn(const ForceCurve& curve) {
+  return curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles.front().turn;
+}
+
 }  // namespace
 
 HertzData hertz_data(const ForceCurve& curve, const Radii& radii) {
-  const std::size_t turn =
-      curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles.front().turn;
-  return {curve.distance, curve.force, turn, curve.force_error, radii.value[0] / radii.value[1]};
+  return {curve.distance, curve.force, first_turn(curve), curve.force_error, radii.value[0] / radii.value[1]};
+}
+
+ForceData force_data(const ForceCurve& curve, const Radii& radii) {
+  return {curve.distance, curve.force, curve.force_error, first_turn(curve), radii.sum(), radii.reduced()};
 }
 
 HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings) {

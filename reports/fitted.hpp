@@ -3,6 +3,7 @@
 
 #include "analyses/force_curve.hpp"
 #include "analyses/table.hpp"
+#include "fits/force_fit.hpp"
 #include "fits/hertz.hpp"
 #include "reports/document.hpp"
 #include "reports/run.hpp"
@@ -19,6 +20,7 @@ struct HertzResult {
 
 /// Of a curve with the radii whose ratio it was measured with.
 HertzData hertz_data(const ForceCurve& curve, const Radii& radii);
+ForceData force_data(const ForceCurve& curve, const Radii& radii);
 
 HertzResult fit_hertz_with_spread(const HertzData& data, const HertzSettings& settings);
 

@@ -37,9 +37,9 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
 }
 
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
-                                const Radii& radii, int window) {
+                                const Radii& radii, ForceDerivative by) {
   ForceCurve curve =
-      told_of(run, [&] { return force_curve(motion, source, run.units, radii.sum(), window); });
+      told_of(run, [&] { return force_curve(motion, source, run.units, radii.sum(), by); });
   if (!curve.contact)
     throw InputError(fmt::format(
         "{}: no contact in this dump: the centres come no nearer than {:.6g}, {:.6g} more than the "

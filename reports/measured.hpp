@@ -25,9 +25,9 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
                               SweepOptions options);
 
 /// Force curve of a measured motion; the error of the radii is part of that of delta_max. Throws
-/// InputError if the bodies never touch. `window` as in force_series.
+/// InputError if the bodies never touch. `by` as in force_series.
 ForceCurve touching_force_curve(const Run& run, const RelativeMotion& motion, ForceSource source,
-                                const Radii& radii, int window = 0);
+                                const Radii& radii, ForceDerivative by = {});
 
 /// Numbers and sources of a force curve under the names that other programs rely on.
 void add_force(Document& document, const ForceCurve& curve, ForceSource source,

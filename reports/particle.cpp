@@ -56,10 +56,19 @@ Value volume_radius(const FccCrystal& crystal, double atoms) {
           dimension::length};
 }
 
-void add_gamma(Document& document, const std::string& how, const Value& excess,
-               const Value& radius) {
-  document.number("gamma." + how, surface_energy(excess, radius));
-  document.number("radius." + how, radius);
+/// Energy above that of as many atoms of the crystal.
+Value excess_of(const FccCrystal& crystal, const Particle& particle, const ColdEnergy& cold) {
+  Value excess = cold.energy;
+  excess.value -= particle.atoms * crystal.energy;
+  return excess;
+}
+
+/// A scale of the potential: 1 in lj units unless it is given.
+double scale(const Run& run, const char* name, std::optional<double> given, std::optional<double> stated) {
+  if (given) return *given;
+  if (stated) return *stated;
+  if (run.units == Units::lj) return 1;
+  throw InputError(fmt::format("{}: {} of the potential is not known; add --{} VALUE", run.dump.string(), name, name));
 }
 
 void add_crystal(Document& document, const FccCrystal& crystal) {
@@ -143,14 +152,48 @@ ColdEnergy cold_energy(const Value& potential, const Particle& particle, double 
   return cold;
 }
 
+LennardJones lennard_jones(const Run& run, const PotentialConstants& given) {
+  const std::optional<double> range = given.endless ? std::nullopt : given.cutoff ? given.cutoff : run.scene.cutoff;
+  const std::optional<bool> shifted = given.shifted ? given.shifted : run.scene.shift;
+  if (!range && !given.endless)
+    throw InputError(fmt::format("{}: the cutoff of the potential is not known, and the crystal's "
+                                 "energy depends on it; add --cutoff LENGTH (or none)",
+                                 run.dump.string()));
+  if (range && !shifted)
+    throw InputError(fmt::format("{}: it is not known whether the potential is shifted to zero at "
+                                 "the cutoff (pair_modify shift); add --shift yes or no",
+                                 run.dump.string()));
+  return {scale(run, "epsilon", given.epsilon, {}), scale(run, "sigma", given.sigma, run.scene.sigma), range,
+          shifted.value_or(false)};
+}
+
+std::optional<Value> cut_radius(const Run& run, const RunOptions& options, std::size_t body) {
+  const std::string& how = run.scene.radius_definition;
+  if (options.radius) return Value{(*options.radius)[body - 1], 0.0, dimension::length};
+  if (run.scene.radii.size() >= body && (how.empty() || how == "cut"))
+    return Value{run.scene.radii[body - 1], 0.0, dimension::length};
+  return std::nullopt;
+}
+
+std::vector<GammaByRadius> gamma_by_radius(const FccCrystal& crystal, const Particle& particle, const ColdEnergy& cold,
+                                           const std::optional<Value>& cut_radius) {
+  const Value excess = excess_of(crystal, particle, cold);
+  std::vector<GammaByRadius> all;
+  const auto add = [&](const char* how, const Value& radius) { all.push_back({how, radius, surface_energy(excess, radius)}); };
+  if (cut_radius) add("cut", *cut_radius);
+  add("volume", volume_radius(crystal, particle.atoms));
+  add("gyration", particle.gyration_radius);
+  return all;
+}
+
 void add_surface_energy(Document& document, const FccCrystal& crystal, const Particle& particle,
                         const ColdEnergy& cold, const std::optional<Value>& cut_radius) {
-  Value excess = cold.energy;
-  excess.value -= particle.atoms * crystal.energy;
-  if (cut_radius) add_gamma(document, "cut", excess, *cut_radius);
-  else document.left_out("gamma.cut", "the cut radius is not known; add --radius R");
-  add_gamma(document, "volume", excess, volume_radius(crystal, particle.atoms));
-  add_gamma(document, "gyration", excess, particle.gyration_radius);
+  const Value excess = excess_of(crystal, particle, cold);
+  if (!cut_radius) document.left_out("gamma.cut", "the cut radius is not known; add --radius R");
+  for (const GammaByRadius& by : gamma_by_radius(crystal, particle, cold, cut_radius)) {
+    document.number("gamma." + by.radius_name, by.gamma);
+    document.number("radius." + by.radius_name, by.radius);
+  }
   document.number("U", cold.energy);
   document.json("N", static_cast<std::uint64_t>(particle.atoms));
   document.line("N", fmt::format("{:.0f}", particle.atoms));

@@ -40,6 +40,29 @@ struct ColdEnergy {
 /// doubt, besides the exchange of kinetic and potential energy, sqrt(3N) kT.
 ColdEnergy cold_energy(const Value& potential, const Particle& particle, double anharmonic);
 
+/// What a potential is known by besides the scene: what is given comes first.
+struct PotentialConstants {
+  std::optional<double> epsilon;   ///< [energy]
+  std::optional<double> sigma;     ///< [length]
+  std::optional<double> cutoff;    ///< [length]
+  bool endless = false;            ///< there is no cutoff
+  std::optional<bool> shifted;
+};
+
+/// The Lennard-Jones potential of a run. Throws InputError at what neither the constants nor the scene tell.
+LennardJones lennard_jones(const Run& run, const PotentialConstants& given);
+
+/// The radius that a body (1, 2) was cut with, if option or scene state it.
+std::optional<Value> cut_radius(const Run& run, const RunOptions& options, std::size_t body);
+
+/// gamma with one of the radii.
+struct GammaByRadius {
+  std::string radius_name;  ///< "cut" if it is known, "volume", "gyration"
+  Value radius, gamma;
+};
+std::vector<GammaByRadius> gamma_by_radius(const FccCrystal& crystal, const Particle& particle, const ColdEnergy& cold,
+                                           const std::optional<Value>& cut_radius);
+
 /// gamma with each radius that is known, the radii, and what they are made of; P1, appendix C.
 void add_surface_energy(Document& document, const FccCrystal& crystal, const Particle& particle,
                         const ColdEnergy& cold, const std::optional<Value>& cut_radius);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,13 +14,17 @@ namespace mdana {
 /// What the knobs of dumps set.
 struct Measuring {
   SweepOptions sweeping;
-  ForceSource source = ForceSource::velocities;
-  int window = 0;                      ///< 0: chosen by the noise
+  std::optional<ForceSource> source = {};  ///< default: the best
+  ForceDerivative derivative = {};
   ContactOptions contact = {};
   std::string definition = "gyration";  ///< of the contact radius
   HertzSettings hertz = {};
   Split split = Split::sign;
-  bool by_cgal = false, everywhere = false;  ///< how defects and their lines are looked for
+  NetworkOptions network = {};
+  const ForceLaw* law = nullptr;
+  ForceFitSettings force_fit = {};
+  DefectSettings defects = {};
+  std::size_t gamma_radius = 0;         ///< of the radii that gamma is given with
 };
 
 /// A knob, and what its value sets.
@@ -35,8 +41,33 @@ AccuracySubject dump_subject(std::string name, const DumpQuestion& question, std
 std::vector<DumpKnob> sweep_knobs();
 
 DumpKnob stride_knob();
-DumpKnob source_knob(const Run& run);  ///< what the dump has, the best first
-DumpKnob window_knob();
+/// Knobs of the force: source (what the dump has, the best first), window and degree of derivatives.
+std::vector<DumpKnob> derivative_knobs(const Run& run);
+
+/// Motion and force curve of one pass.
+struct MeasuredForce {
+  MeasuredMotion measured;
+  Radii radii;
+  ForceCurve curve;
+};
+MeasuredForce measure_force(const DumpQuestion& question, const Measuring& measuring);
+
+/// The numbers that are published, with the scales of their errors. Definition after definition.
+std::vector<JudgedNumber> judged_force(const RelativeMotion& motion, const ForceCurve& curve, const Restitution& restitution,
+                                       Units units);
+std::vector<JudgedNumber> judged_energy(const EnergyBudget& budget);
+std::vector<JudgedNumber> judged_contact(const ContactNumbers& contact);
+
+/// A number of every stride-th frame from `first` on, of all frames; its error is the greatest difference to the same of
+/// every second one. Not known of less than two frames.
+template <class Number>
+Value by_frames(std::size_t frames, Dimension dimension, Number&& number) {
+  Value value{number(std::size_t{0}, std::size_t{1}), {}, dimension};
+  if (frames >= 2)
+    value.error = std::max(std::abs(number(std::size_t{0}, std::size_t{2}) - value.value),
+                           std::abs(number(std::size_t{1}, std::size_t{2}) - value.value));
+  return value;
+}
 
 /// Several lists as one.
 std::vector<DumpKnob> together(std::vector<DumpKnob> first, std::vector<DumpKnob> more);

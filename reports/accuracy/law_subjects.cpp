@@ -15,6 +15,7 @@ constexpr std::array<int, 5> starts{16, 8, 4, 2, 1};
 constexpr std::array<Loss, 3> losses{Loss::none, Loss::huber, Loss::cauchy};
 constexpr std::array<std::size_t, 4> bootstrap_draws{320, 80, 40, 20};
 constexpr int seeds = 8;
+const FixedChoice collision_tolerance{"collision-tolerance", "1e-9 of e", "what is looser is hardly cheaper, and dearer in stiff laws"};
 
 std::vector<JudgedNumber> predicted_numbers(const Collision& c) {
   if (c.outcome == CollisionOutcome::unresolved) throw InputError("unresolved: " + c.reason);
@@ -57,12 +58,40 @@ std::vector<JudgedNumber> fitted_numbers(const ContactFit& fit, bool bootstrap) 
   return numbers;
 }
 
+/// chi2 of each law; errors are parts of it, where standard errors are known at least of what the residuals are expected to sum
+/// up to, one each.
+std::vector<JudgedNumber> compared_numbers(const ComparedLaws& compared) {
+  if (compared.laws.empty()) throw InputError("no law can be computed from the data");
+  std::vector<JudgedNumber> numbers;
+  for (const ComparedLaw& c : compared.laws) {
+    const double expected = c.fit.known_errors ? static_cast<double>(c.fit.points.size()) : 0;
+    if (!std::isfinite(c.fit.chi2)) continue;
+    const double error = c.fit.parameters.empty() ? 0 : c.fit.chi2 * std::pow(10, -c.fit.digits);
+    numbers.push_back({fmt::format("{}.chi2", c.law->name), {c.fit.chi2, error, dimension::none}, std::max(expected, c.fit.chi2)});
+  }
+  return numbers;
+}
+
+/// Knobs of every fit of collision laws.
+std::vector<Knob> search_knobs() {
+  return {knob_of("starts", "where searches begin", Reference::finest, 0, starts,
+                  [](int n) { return KnobValue{fmt::format("{}", n), 1.0 / n}; }),
+          knob_of("loss", "how outliers are damped", Reference::standard, 0, losses,
+                  [](Loss loss) { return KnobValue{std::string(name(loss))}; })};
+}
+
+void set_search(const KnobChoice& choice, ContactFitSettings& settings) {
+  if (choice.values.contains("starts")) settings.starts = starts[choice.of("starts")];
+  if (choice.values.contains("loss")) settings.loss = losses[choice.of("loss")];
+}
+
 }  // namespace
 
 AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& input, const CollisionSettings& settings) {
   AccuracySubject subject{fmt::format("predict {}", law.name), {}, {}};
   subject.knobs.push_back(knob_of("tolerance", "wanted error of e", Reference::finest, 1, tolerances,
                                   [](double t) { return KnobValue{fmt::format("{:.0e}", t), t}; }));
+  subject.fixed.push_back({"method", "Radau IIA, order 9", "for stiff laws and others; laws in closed form need none"});
   subject.measure = [&law, input, settings](const KnobChoice& choice) {
     CollisionSettings s = settings;
     s.tolerance = tolerances[choice.of("tolerance")];
@@ -73,23 +102,29 @@ AccuracySubject predict_subject(const CollisionLaw& law, const CollisionInput& i
 
 AccuracySubject fit_contact_subject(const CollisionLaw& law, std::vector<ObservedCollision> seen,
                                     const ContactFitSettings& settings) {
-  AccuracySubject subject{fmt::format("fit-contact {}", law.name), {}, {}};
-  subject.knobs.push_back(knob_of("starts", "where searches begin", Reference::finest, 0, starts, [](int n) {
-    return KnobValue{fmt::format("{}", n), 1.0 / n};
-  }));
-  subject.knobs.push_back(knob_of("loss", "how outliers are damped", Reference::standard, 0, losses, [](Loss loss) {
-    return KnobValue{std::string(name(loss))};
-  }));
+  AccuracySubject subject{fmt::format("fit-contact {}", law.name), search_knobs(), {}};
   subject.knobs.push_back(bootstrap_knob());
+  subject.fixed.push_back(collision_tolerance);
   subject.measure = [&law, seen = std::move(seen), settings](const KnobChoice& choice) {
     ContactFitSettings s = settings;
     const bool bootstrap = choice.values.contains("bootstrap");
     s.intervals = {};
-    if (choice.values.contains("starts")) s.starts = starts[choice.of("starts")];
-    if (choice.values.contains("loss")) s.loss = losses[choice.of("loss")];
+    set_search(choice, s);
     if (bootstrap) s.intervals.draws = bootstrap_draws[choice.of("bootstrap")];
     s.intervals.seed = choice.draw;
     return fitted_numbers(fit_contact(law, seen, s), bootstrap);
+  };
+  return subject;
+}
+
+AccuracySubject compare_laws_subject(const Observations& observations, const ContactFitSettings& settings) {
+  AccuracySubject subject{"compare-laws", search_knobs(), {}};
+  subject.fixed.push_back(collision_tolerance);
+  subject.measure = [observations, settings](const KnobChoice& choice) {
+    ContactFitSettings s = settings;
+    s.cross_validation = false;
+    set_search(choice, s);
+    return compared_numbers(compare_laws(observations, s));
   };
   return subject;
 }

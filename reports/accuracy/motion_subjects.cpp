@@ -41,19 +41,6 @@ std::vector<DumpKnob> hertz_knobs() {
                       [](Measuring& m, std::size_t k) { m.hertz.weights = weights[k]; })};
 }
 
-/// Motion and force curve of one pass.
-struct Pass {
-  MeasuredMotion measured;
-  Radii radii;
-  ForceCurve curve;
-};
-
-Pass pass_of(const DumpQuestion& q, const Measuring& m) {
-  Pass pass{measure_motion(q.run, parts_for(m.source), {}, m.sweeping), find_radii(q.run, q.options), {}};
-  pass.curve = touching_force_curve(q.run, pass.measured.motion, m.source, pass.radii, m.window);
-  return pass;
-}
-
 /// m* v^2/2 of the greatest speed; without speeds F_max delta_max.
 double kinetic_energy(const RelativeMotion& motion, const ForceCurve& curve, Units units) {
   const std::vector<double> squares = squared_speed(motion);
@@ -62,24 +49,16 @@ double kinetic_energy(const RelativeMotion& motion, const ForceCurve& curve, Uni
 }
 
 std::vector<JudgedNumber> force_numbers(const DumpQuestion& q, const Measuring& m) {
-  const Pass pass = pass_of(q, m);
-  const double energy = kinetic_energy(pass.measured.motion, pass.curve, q.run.units);
-  const double force = std::abs(pass.curve.force_max.value);
-  std::vector<JudgedNumber> numbers{{"F_max", pass.curve.force_max},
-                                    {"F_min_loading", pass.curve.force_min_loading, force},
-                                    {"delta_max", pass.curve.delta_max},
-                                    {"hysteresis_area", pass.curve.hysteresis_area, energy},
-                                    {"kinetic_loss", pass.curve.kinetic_loss, energy}};
-  const Restitution r = restitution(pass.measured.motion, pass.curve);
-  if (pass.curve.outcome == Outcome::bounce && !std::isnan(r.e.value)) numbers.push_back({"e", r.e, 1});
-  return numbers;
+  const MeasuredForce force = measure_force(q, m);
+  const RelativeMotion& motion = force.measured.motion;
+  return judged_force(motion, force.curve, restitution(motion, force.curve), q.run.units);
 }
 
 std::vector<JudgedNumber> hertz_numbers(const DumpQuestion& q, const Measuring& m) {
-  const Pass pass = pass_of(q, m);
-  require_known_ratio(q.run, pass.measured.swept.tables[0], pass.radii);
+  const MeasuredForce force = measure_force(q, m);
+  require_known_ratio(q.run, force.measured.swept.tables[0], force.radii);
   const HertzResult hertz =
-      told_of(q.run, [&] { return fit_hertz_with_spread(hertz_data(pass.curve, pass.radii), m.hertz); });
+      told_of(q.run, [&] { return fit_hertz_with_spread(hertz_data(force.curve, force.radii), m.hertz); });
   if (!hertz.fit.fit.usable) throw InputError(fmt::format("{}: the Hertz fit is not usable: {}", q.run.dump.string(), hertz.fit.fit.reason));
   return {{"E_star", hertz.modulus}, {"R", hertz.radius}};
 }
@@ -90,22 +69,38 @@ std::vector<JudgedNumber> energy_numbers(const DumpQuestion& q, const Measuring&
   const MeasuredMotion measured = measure_motion(q.run, parts_for_energy(q.run), std::move(analyses), m.sweeping);
   const MeasuredEnergy energy = measure_energy(q.run, measured, measured.swept.tables[1], find_radii(q.run, q.options), q.potential);
   if (!energy.budget) throw InputError(q.run.dump.string() + ": " + energy.budget_obstacle);
-  const double scale = std::abs(energy.budget->K_p_initial.value);
-  return {{"K_p_initial", energy.budget->K_p_initial},
-          {"delta_K_p", energy.budget->delta_K_p, scale},
-          {"delta_K_t", energy.budget->delta_K_t, scale},
-          {"delta_W", energy.budget->delta_W, scale}};
+  return judged_energy(*energy.budget);
 }
 
 }  // namespace
 
+std::vector<JudgedNumber> judged_force(const RelativeMotion& motion, const ForceCurve& curve, const Restitution& restitution,
+                                       Units units) {
+  const double energy = kinetic_energy(motion, curve, units), force = std::abs(curve.force_max.value);
+  std::vector<JudgedNumber> numbers{{"F_max", curve.force_max},
+                                    {"F_min_loading", curve.force_min_loading, force},
+                                    {"delta_max", curve.delta_max},
+                                    {"hysteresis_area", curve.hysteresis_area, energy},
+                                    {"kinetic_loss", curve.kinetic_loss, energy}};
+  if (curve.outcome == Outcome::bounce && !std::isnan(restitution.e.value)) numbers.push_back({"e", restitution.e, 1});
+  return numbers;
+}
+
+std::vector<JudgedNumber> judged_energy(const EnergyBudget& budget) {
+  const double scale = std::abs(budget.K_p_initial.value);
+  return {{"K_p_initial", budget.K_p_initial},
+          {"delta_K_p", budget.delta_K_p, scale},
+          {"delta_K_t", budget.delta_K_t, scale},
+          {"delta_W", budget.delta_W, scale}};
+}
+
 AccuracySubject force_subject(const DumpQuestion& question) {
-  return dump_subject("force", question, together(sweep_knobs(), {source_knob(question.run), window_knob()}), force_numbers);
+  return dump_subject("force", question, together(sweep_knobs(), derivative_knobs(question.run)), force_numbers);
 }
 
 AccuracySubject fit_hertz_subject(const DumpQuestion& question) {
   return dump_subject("fit-hertz", question,
-                      together(together(sweep_knobs(), {source_knob(question.run), window_knob()}), hertz_knobs()), hertz_numbers);
+                      together(together(sweep_knobs(), derivative_knobs(question.run)), hertz_knobs()), hertz_numbers);
 }
 
 AccuracySubject energy_subject(const DumpQuestion& question) {

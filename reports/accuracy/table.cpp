@@ -22,11 +22,17 @@ void add_numbers(Table& table, const char* name, std::span<const AccuracyRow> ro
   table.add_column({name, dimension}, std::move(column));
 }
 
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
 std::string curve_of(const AccuracyRow& row) {
   return fmt::format("{}{}{}: {}: {}", row.input, row.input.empty() ? "" : ": ", row.subject, row.knob, row.quantity);
 }
 
 }  // namespace
+
+AccuracyRow fixed_row(const AccuracySubject& subject, const FixedChoice& fixed) {
+  return {{}, subject.name, fixed.name, fixed.value + " (fixed)", {}, none, none, none, none, none, {none, none, none}};
+}
 
 Table accuracy_table(std::span<const AccuracyRow> rows) {
   Table table;

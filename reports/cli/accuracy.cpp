@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <filesystem>
 
@@ -19,6 +20,9 @@ namespace {
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
+
+/// Subjects that are dear, or what others say together.
+constexpr std::array<std::string_view, 2> only_if_named{"defects", "collision"};
 
 /// What the command line asks of every input.
 struct Wishes {
@@ -78,13 +82,24 @@ class Told {
       ladders.push_back(climb(subject, knob, wishes_.repetitions));
       add_ladder_lines(document_, ladders.back());
       json["knobs"].push_back(to_json(ladders.back()));
-      for (AccuracyRow row : ladders.back().rows) {
-        row.input = several_ ? input : "";
-        rows_.push_back(std::move(row));
-      }
+      for (const AccuracyRow& row : ladders.back().rows) add_row(row, input);
     }
+    json["fixed"] = Json::array();
+    for (const FixedChoice& fixed : subject.fixed)
+      if (asked(wishes_.knobs, fixed.name)) json["fixed"].push_back(told_of_fixed(subject, fixed, input));
     if (wishes_.error && !ladders.empty()) json["recommended"] = recommended(subject, ladders);
     return json;
+  }
+
+  Json told_of_fixed(const AccuracySubject& subject, const FixedChoice& fixed, const std::string& input) {
+    add_fixed_line(document_, subject.name, fixed);
+    add_row(fixed_row(subject, fixed), input);
+    return to_json(fixed);
+  }
+
+  void add_row(AccuracyRow row, const std::string& input) {
+    if (several_) row.input = input;
+    rows_.push_back(std::move(row));
   }
 
   Json recommended(const AccuracySubject& subject, const std::vector<Ladder>& ladders) {
@@ -109,12 +124,14 @@ void add_options(Options& options) {
   options.add_options()                                                                                  //
       ("error", po::value<double>()->value_name("E"), "recommend the cheapest setting with this error, as a part of the numbers "
        "(exit code 4 if there is none)")                                                                 //
-      ("only", list()->value_name("NAMES"), "analyses: force, contact-radius, energy, fit-hertz, compress; defects only if it is named")  //
+      ("only", list()->value_name("NAMES"), "analyses: force, contact-radius, energy, fit-hertz, fit-force, surface-energy, compress, network; defects and collision "
+       "only if they are named")  //
       ("knob", list()->value_name("NAMES"), "knobs: stride, digits, source ... (default: all)")          //
       ("judge", list()->value_name("NAMES"), "numbers whose error counts: F_max, E_star ... (default: all)")  //
       ("repeat", po::value<int>()->default_value(3)->value_name("N"), "measurements of each setting, for the time")  //
       ("law", po::value<std::string>()->value_name("NAME"),
-       "a law of collisions: its predictions without an input, its fit to inputs that mdana fit-contact reads")  //
+       "a law of collisions: its predictions without an input, its fit to inputs that mdana fit-contact reads; all: of these "
+       "what mdana compare-laws says")  //
       ("parameter,p", list()->value_name("NAME=VALUE"), "a parameter of the law")                        //
       ("free", list()->value_name("NAMES"), "parameters that the fit is to find")                        //
       ("table2", po::bool_switch(), "as of mdana fit-contact")                                           //
@@ -173,10 +190,13 @@ int of_dumps(const Values& values, const Wishes& wishes) {
     runs.push_back(prepare_run(options));
     const Run& run = runs.back();
     require_two_bodies(run);
-    DumpSubjects subjects = dump_subjects({run, options, sweeping, contact, potential});
-    for (const auto& [what, reason] : subjects.left_out) told.left_out(what, reason);
+    DumpQuestion question{run, options, sweeping, contact, potential};
+    question.defects.surface = question.defects.lines = true;
+    DumpSubjects subjects = dump_subjects(question);
+    for (const auto& [what, reason] : subjects.left_out)
+      if (asked(wishes.only, what)) told.left_out(what, reason);
     std::erase_if(subjects.subjects, [&](const AccuracySubject& s) {
-      return s.name == "defects" ? wishes.only.empty() || !asked(wishes.only, s.name) : !asked(wishes.only, s.name);
+      return !asked(wishes.only, s.name) || (wishes.only.empty() && std::ranges::find(only_if_named, s.name) != only_if_named.end());
     });
     told.add({run.dump.string(), std::move(subjects.subjects)});
   }
@@ -188,7 +208,19 @@ const CollisionLaw& law_of(const Values& values) {
   if (const CollisionLaw* law = find_collision_law(text)) return *law;
   std::vector<std::string_view> names;
   for (const CollisionLaw* law : collision_laws()) names.push_back(law->name);
-  throw UsageError(fmt::format("--law {}: one of {} is expected", text, fmt::join(names, ", ")));
+  throw UsageError(fmt::format("--law {}: all or one of {} is expected", text, fmt::join(names, ", ")));
+}
+
+int of_all_laws(const Values& values, const Wishes& wishes) {
+  if (!values.count("input")) throw UsageError("--law all: collisions that were seen are missing");
+  if (values.count("free")) throw UsageError("--law all: --free is of one law");
+  ContactFitSettings settings;
+  settings.constants = constants_option(values);
+  const Observations observations = observations_option(values, {});
+  Told told(wishes, false);
+  add_inputs(told.document(), observations);
+  told.add({values["input"].as<std::string>(), {compare_laws_subject(observations, settings)}});
+  return told.emit(values);
 }
 
 int of_law(const Values& values, const Wishes& wishes) {
@@ -214,7 +246,7 @@ int of_law(const Values& values, const Wishes& wishes) {
 int run_command(const Values& values) {
   check_output(values, true);
   const Wishes wishes = wishes_of(values);
-  if (values.count("law")) return of_law(values, wishes);
+  if (values.count("law")) return values["law"].as<std::string>() == "all" ? of_all_laws(values, wishes) : of_law(values, wishes);
   if (!values.count("input")) throw UsageError("a dump, a study or --law is missing");
   return of_dumps(values, wishes);
 }
@@ -236,6 +268,7 @@ const Command accuracy_command{
     "  mdana accuracy sample-data/adhesive-tiny/dump.lammpstrj.gz --only force --error 0.1\n"
     "  mdana accuracy --law krijt -p R=147 -p m=14434147 -p E=65.5 -p gamma=3.17 -p nu=0.25 -p T_vis=0.075 -p v=0.1 -o krijt.csv\n"
     "  mdana accuracy runs/study.toml -o accuracy.csv\n"
+    "  mdana accuracy runs.csv --law all -p gamma=3.17 --knob starts\n"
     "  mdana accuracy runs.csv --law jkr -p E=65.5 --free gamma --knob bootstrap",
     add_options,
     run_command};

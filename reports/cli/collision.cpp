@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "readers/input_error.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/analysed_run.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/collision_summary.hpp"
 
@@ -29,9 +31,10 @@ struct Told {
   Document document;
   Table table;
   SeriesOutcome outcome;
+  std::optional<Recommendation> chosen = {};  ///< for --error
 };
 
-Told analyse(const Values& values, const Wishes& wishes) {
+Told analyse(const Values& values, Wishes wishes) {
   const Run run = prepare_run(wishes.run);
   require_two_bodies(run);
   const Material material = material_options(values, run.scene);
@@ -45,11 +48,14 @@ Told analyse(const Values& values, const Wishes& wishes) {
   all.radii = find_radii(run, wishes.run);
   all.contact = wishes.contact;
   all.potential = wishes.potential;
+  const DumpQuestion question{run, wishes.run, wishes.sweeping, wishes.contact, wishes.potential};
+  const auto chosen = choose_stride(values, collision_subject(question), wishes.sweeping);
   const AnalysedRun analysed = analyse_run(run, all, wishes.sweeping);
   const ElasticContact contact{analysed.radii.reduced(), material.modulus.value_or(0),
                                material.surface_energy.value_or(0)};
-  Told told{Document("collision", run), {}, {}};
+  Told told{Document("collision", run), {}, {}, chosen};
   told.table = add_collision(told.document, run, analysed, contact, wishes.sweeping, values["final-clusters"].as<bool>());
+  tell_choice(told.document, chosen);
   told.outcome = {run.dump.string(), {}, analysed.curve.outcome, analysed.restitution.e, analysed.restitution.e_total,
                   analysed.restitution.speed_before};
   return told;
@@ -75,6 +81,7 @@ class Series {
       for (const std::string& w : told.document.warnings())
         document_.warn(told.outcome.dump + ": " + w);
       damaged_ = damaged_ || told.document.damaged();
+      met_ = met_ && choice_code(told.chosen, done) == done;
     } catch (const InputError& error) {
       fail(wishes.run.dump.string(), error.what());
     }
@@ -85,7 +92,7 @@ class Series {
     add_summary(document_, outcomes_);
     const Table table = outcome_table(outcomes_);
     const int code = cli::emit(values, document_, &table);
-    return failed_ ? failed : damaged_ ? damaged_input : code;
+    return failed_ ? failed : damaged_ ? damaged_input : code == done && !met_ ? not_converged : code;
   }
 
  private:
@@ -101,7 +108,7 @@ class Series {
   Document document_{"collision"};
   nlohmann::ordered_json runs_ = nlohmann::ordered_json::array();
   std::vector<SeriesOutcome> outcomes_;
-  bool failed_ = false, damaged_ = false;
+  bool failed_ = false, damaged_ = false, met_ = true;
 };
 
 int run_series(const Values& values, const std::vector<std::string>& more, Wishes each) {
@@ -120,6 +127,7 @@ void add_options(Options& options) {
   add_material_options(options);
   add_potential_options(options);
   add_membership_options(options);
+  add_error_option(options, "the frame stride, run by run,");
   add_output_options(options, true);
 }
 
@@ -129,7 +137,7 @@ int run_command(const Values& values) {
   if (values.count("more"))
     return run_series(values, values["more"].as<std::vector<std::string>>(), wanted);
   const Told told = analyse(values, wanted);
-  return emit(values, told.document, &told.table);
+  return choice_code(told.chosen, emit(values, told.document, &told.table));
 }
 
 }  // namespace

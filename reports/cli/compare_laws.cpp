@@ -7,38 +7,16 @@
 
 #include "fits/residual_pattern.hpp"
 #include "readers/input_error.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/cli/contact_options.hpp"
+#include "reports/cli/error_option.hpp"
 
 namespace mdana::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A law with its fit to the data.
-struct Judged {
-  const CollisionLaw* law;
-  ContactFit fit;
-};
-
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-/// All laws that the data allow, the one of least AIC first.
-std::vector<Judged> judge_all(const Observations& observations, ContactFitSettings settings, Document& document) {
-  settings.cross_validation = true;
-  std::vector<Judged> all;
-  for (const CollisionLaw* law : collision_laws()) try {
-      settings.free = free_by_default(*law, observations, settings);
-      ContactFit fit = fit_contact(*law, observations.seen, settings);
-      if (fit.points.empty())
-        document.left_out(std::string(law->name), fit.reason);
-      else
-        all.push_back({law, std::move(fit)});
-    } catch (const InputError& error) {
-      document.left_out(std::string(law->name), error.what());
-    }
-  std::ranges::stable_sort(all, {}, [](const Judged& j) { return std::isfinite(j.fit.aic) ? j.fit.aic : 1e300; });
-  return all;
-}
 
 std::string parameters_text(const ContactFit& fit) {
   std::string text;
@@ -47,7 +25,7 @@ std::string parameters_text(const ContactFit& fit) {
   return text.empty() ? "nothing free" : text;
 }
 
-Json law_json(const Judged& j, const std::vector<std::string>& fails) {
+Json law_json(const ComparedLaw& j, const std::vector<std::string>& fails) {
   Json json{{"law", j.law->name}, {"k", j.fit.parameters.size()}};
   json["parameters"] = Json::object();
   for (const Estimate& p : j.fit.parameters)
@@ -63,7 +41,7 @@ Json law_json(const Judged& j, const std::vector<std::string>& fails) {
   return json;
 }
 
-void tell(Document& document, const Judged& j, std::span<const ObservedCollision> seen, Json& laws) {
+void tell(Document& document, const ComparedLaw& j, std::span<const ObservedCollision> seen, Json& laws) {
   const std::vector<std::string> fails = describe_residuals(seen, j.fit.points);
   const std::string law(j.law->name);
   const auto known = [](double rms) { return std::isnan(rms) ? std::string("-") : fmt::format("{:.3g}", rms); };
@@ -76,9 +54,9 @@ void tell(Document& document, const Judged& j, std::span<const ObservedCollision
   laws.push_back(law_json(j, fails));
 }
 
-Table comparison_table(const std::vector<Judged>& all) {
+Table comparison_table(const std::vector<ComparedLaw>& all) {
   std::vector<std::string> names;
-  for (const Judged& j : all) names.emplace_back(j.law->name);
+  for (const ComparedLaw& j : all) names.emplace_back(j.law->name);
   Table table(std::vector<ColumnSpec>{{"law", dimension::none, names}, {"k", dimension::none}, {"chi2", dimension::none},
                                       {"aic", dimension::none}, {"bic", dimension::none},
                                       {"left_out_velocity", dimension::none}, {"left_out_radius", dimension::none},
@@ -91,28 +69,38 @@ Table comparison_table(const std::vector<Judged>& all) {
   return table;
 }
 
+void add_options(Options& options) {
+  add_error_option(options, "the starts");
+  add_contact_fit_options(options);
+}
+
 int run_command(const Values& values) {
   check_output(values, true);
-  const ContactFitSettings settings = contact_settings(values);
+  ContactFitSettings settings = contact_settings(values);
+  settings.cross_validation = true;
   const Observations observations = observations_option(values, {});
   Document document("compare-laws");
   add_inputs(document, observations);
   document.json("observations", observations.seen.size());
   document.line("observations", fmt::format("{}", observations.seen.size()));
-  const std::vector<Judged> all = judge_all(observations, settings, document);
+  const auto chosen = choose_starts(values, compare_laws_subject(observations, settings), settings);
+  const ComparedLaws compared = compare_laws(observations, settings);
+  for (const auto& [law, reason] : compared.left_out) document.left_out(law, reason);
+  const std::vector<ComparedLaw>& all = compared.laws;
   if (all.empty()) throw InputError("no law can be computed from the tables: " + observations.seen.front().place);
   Json laws = Json::array();
-  for (const Judged& j : all) tell(document, j, observations.seen, laws);
+  for (const ComparedLaw& j : all) tell(document, j, observations.seen, laws);
   document.json("laws", std::move(laws));
-  const auto best = std::ranges::find_if(all, [](const Judged& j) { return j.fit.usable; });
+  const auto best = std::ranges::find_if(all, [](const ComparedLaw& j) { return j.fit.usable; });
   if (best != all.end())
     document.text("best", std::string(best->law->name));
   else
     document.left_out("best", "no fit is usable");
   if (!observations.known_errors)
     document.warn("no standard errors are given: AIC and BIC take the scatter about each fit for the error");
+  tell_choice(document, chosen);
   const Table table = comparison_table(all);
-  return emit(values, document, &table);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 }  // namespace
@@ -128,7 +116,7 @@ const Command compare_laws_command{
     "of those that are usable.",
     "  mdana compare-laws runs.csv --table2\n"
     "  mdana compare-laws runs.csv -p E=65.5 -p gamma=3.17 -p nu=0.25 --loss huber --json",
-    add_contact_fit_options,
+    add_options,
     run_command};
 
 }  // namespace mdana::cli

@@ -73,16 +73,6 @@ ContactFitSettings contact_settings(const Values& values) {
   return s;
 }
 
-std::vector<FreeParameter> free_by_default(const CollisionLaw& law, const Observations& observations,
-                                           const ContactFitSettings& settings) {
-  std::vector<FreeParameter> free = usual_free_parameters(law);
-  std::erase_if(free, [&](const FreeParameter& f) {
-    return observations.given(f.name) ||
-           std::ranges::find(settings.constants, f.name, &NamedNumber::name) != settings.constants.end();
-  });
-  return free;
-}
-
 void add_inputs(Document& document, const Observations& observations) {
   for (const auto& file : observations.files) document.input(file.record, file.format);
 }

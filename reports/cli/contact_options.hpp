@@ -21,10 +21,6 @@ Observations observations_option(const Values& values, std::span<const std::stri
 /// Constants, loss and starts; nothing is free yet.
 ContactFitSettings contact_settings(const Values& values);
 
-/// The parameters that are usually fitted and are not given.
-std::vector<FreeParameter> free_by_default(const CollisionLaw& law, const Observations& observations,
-                                           const ContactFitSettings& settings);
-
 /// The inputs of the tables.
 void add_inputs(Document& document, const Observations& observations);
 

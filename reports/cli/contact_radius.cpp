@@ -73,7 +73,8 @@ int run_command(const Values& values) {
   const Plan plan = plan_command(run, "contact-radius", wishes);
   const Radii radii = find_radii(run, options);
   const ContactSetup setup = contact_setup(run, contact);
-  const auto chosen = choose_stride(values, contact_radius_subject({run, options, sweeping, contact}), sweeping);
+  std::optional<Recommendation> chosen;  // the subject reads the first frame
+  if (wanted_error(values)) chosen = choose_stride(values, contact_radius_subject({run, options, sweeping, contact}), sweeping);
   const MeasuredMotion measured =
       measure_motion(run, {}, contact_analyses(radii, setup), sweeping);
   const ContactNumbers numbers = contact_numbers(measured, radii.sum());

@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 
 #include "readers/trajectory.hpp"
+#include "reports/accuracy_subjects.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/ca.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/csv.hpp"
 #include "reports/defect_pictures.hpp"
 #include "reports/labelled_dump.hpp"
@@ -163,6 +164,7 @@ void add_options(Options& options) {
        "distance of nearest neighbours (default: found in each frame)")                          //
       ("neighbours", po::value<std::string>()->default_value("cells")->value_name("HOW"),
        "cells, or cgal: by CGAL's k-d tree, much slower, gives the same labels");
+  add_error_option(options, "the frame stride");
   add_run_options(options);
   add_output_options(options, true);
 }
@@ -177,6 +179,9 @@ int run_command(const Values& values) {
   SweepOptions sweeping = frames_of(values, options);
   const Run run = prepare_run(options);
   sweeping.selection = run.selection;
+  DumpQuestion question{run, options, sweeping};
+  question.defects = settings;
+  const auto chosen = choose_stride(values, defects_subject(question), sweeping);
   Plan plan = plan_command(run, "defects");
   if (!settings.surface && !settings.lines) plan.leave_out(Part::dislocations, "--no-surface, --no-lines");
   Products products;
@@ -203,8 +208,9 @@ int run_command(const Values& values) {
     document.further_table({"lines", "segments", history.lines.segments()});
     document.further_table({"lines", "points", history.lines.points()});
   }
+  tell_choice(document, chosen);
   const Table table = defect_table(history);
-  return emit(values, document, &table);
+  return choice_code(chosen, emit(values, document, &table));
 }
 
 }  // namespace

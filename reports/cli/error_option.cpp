@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/cli/error_option.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "readers/input_error.hpp"
 
 namespace mdana::cli {
 
@@ -23,6 +27,18 @@ std::optional<Recommendation> choose_stride(const Values& values, const Accuracy
   const Recommendation chosen = choose(subject, knob, *wanted);
   sweeping.choice.stride *= static_cast<std::uint64_t>(knob.values[chosen.choice.of("stride")].number);
   return chosen;
+}
+
+std::optional<Recommendation> choose_starts(const Values& values, const AccuracySubject& subject, ContactFitSettings& settings) try {
+  const std::optional<double> wanted = wanted_error(values);
+  if (!wanted) return std::nullopt;
+  if (!values["starts"].defaulted()) throw UsageError("--error chooses the starts: leave --starts out");
+  const Knob& knob = subject.knob("starts");
+  const Recommendation chosen = choose(subject, knob, *wanted);
+  settings.starts = static_cast<int>(std::lround(1 / knob.values[chosen.choice.of("starts")].number));
+  return chosen;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 void tell_choice(Document& document, const std::optional<Recommendation>& chosen) {

@@ -129,18 +129,6 @@ void add_options(Options& options) {
   add_contact_fit_options(options);
 }
 
-/// With --error: as many starts as it needs, which are set. Nothing if no fit is usable.
-std::optional<Recommendation> choose_starts(const Values& values, const AccuracySubject& subject, ContactFitSettings& settings) try {
-  const std::optional<double> wanted = wanted_error(values);
-  if (!wanted) return std::nullopt;
-  const Knob& knob = subject.knob("starts");
-  const Recommendation chosen = choose(subject, knob, *wanted);
-  settings.starts = static_cast<int>(std::lround(1 / knob.values[chosen.choice.of("starts")].number));
-  return chosen;
-} catch (const InputError&) {
-  return std::nullopt;
-}
-
 int run_command(const Values& values) {
   check_output(values, true);
   const CollisionLaw& law = law_of(values);

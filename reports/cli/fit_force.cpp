@@ -8,7 +8,9 @@
 
 #include "fits/force_fit.hpp"
 #include "readers/input_error.hpp"
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
+#include "reports/fitted.hpp"
 #include "reports/measured.hpp"
 
 namespace mdana::cli {
@@ -38,6 +40,7 @@ void add_options(Options& options) {
        "2 % of the greatest force)")                            //
       ("loss", po::value<std::string>()->default_value("none")->value_name("NAME"),
        "damp outliers: none, huber or cauchy");
+  add_error_option(options, "the frame stride");
   add_output_options(options, true);
 }
 
@@ -73,9 +76,8 @@ ForceFitSettings settings(const Values& values, const ForceLaw& law) {
   if (values.count("free")) {
     for (const std::string& name : names_option(values, "free")) s.free.push_back(law_name(name));
   } else {
-    for (const ContactParameter& p : law.parameters)
-      if (p.name != "R*" && std::ranges::find(given, p.name) == given.end()) s.free.emplace_back(p.name);
-    s.free.push_back("R");
+    s.free = usual_free_parameters(law);
+    std::erase_if(s.free, [&](const std::string& name) { return std::ranges::find(given, name) != given.end(); });
   }
   for (const std::string& name : s.free)
     if (std::ranges::find(given, name) != given.end())
@@ -86,12 +88,6 @@ ForceFitSettings settings(const Values& values, const ForceLaw& law) {
   if (!(s.min_delta_fraction >= 0 && s.min_delta_fraction < 1))
     throw UsageError("0 <= --min-delta-fraction < 1 is needed");
   return s;
-}
-
-ForceData data_of(const ForceCurve& curve, const Radii& radii) {
-  const std::size_t turn = curve.cycles.empty() ? curve.force.size() - 1 : curve.cycles.front().turn;
-  return {curve.distance, curve.force, curve.force_error, turn, radii.sum(),
-          radii.value[0] * (radii.value[1] / radii.sum())};
 }
 
 void tell(Document& document, const ForceLaw& law, const ForceFit& f, const ForceFitSettings& s) {
@@ -147,23 +143,28 @@ int run_command(const Values& values) {
   const ForceLaw& law = law_of(values);
   const ForceFitSettings wanted = settings(values, law);
   const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
+  SweepOptions sweeping = sweep_options(values);
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const ForceSource source = best_force_source(run);
+  DumpQuestion question{run, options, sweeping};
+  question.law = &law;
+  question.force_fit = wanted;
+  const auto chosen = choose_stride(values, fit_force_subject(question), sweeping);
   const MeasuredMotion measured = measure_motion(run, parts_for(source), {}, sweeping);
   const Radii radii = find_radii(run, options);
   const ForceCurve curve = touching_force_curve(run, measured.motion, source, radii);
-  const ForceFit fit = told_of(run, [&] { return fit_force(law, data_of(curve, radii), wanted); });
+  const ForceFit fit = told_of(run, [&] { return fit_force(law, force_data(curve, radii), wanted); });
 
   Document document("fit-force", run);
   document.sweep(measured.swept, run.format);
   document.json("force_source", name(source));
   document.line("force from", std::string(description(source)));
   tell(document, law, fit, wanted);
+  tell_choice(document, chosen);
   const Table table = table_of(fit, curve);
   const int code = emit(values, document, &table);
-  return fit.fit.usable ? code : not_converged;
+  return fit.fit.usable ? choice_code(chosen, code) : not_converged;
 }
 
 }  // namespace

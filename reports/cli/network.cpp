@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/cli/command.hpp"
+#include "reports/accuracy_subjects.hpp"
+#include "reports/cli/error_option.hpp"
 #include "reports/plan.hpp"
 
 namespace mdana::cli {
@@ -55,6 +56,7 @@ void add_options(Options& options) {
        "frame's are above)")  //
       ("aggregate-modulus", number("E*"),
        "reduced modulus of the two aggregates, for their Poisson's ratio");
+  add_error_option(options, "the frame stride");
   add_output_options(options, true);
 }
 
@@ -94,11 +96,15 @@ Value coordination(const Table& table) {
 int run_command(const Values& values) {
   check_output(values, true);
   const RunOptions options = run_options(values);
-  const SweepOptions sweeping = sweep_options(values);
+  SweepOptions sweeping = sweep_options(values);
   const NetworkOptions wanted = network_options(values);
   const Run run = prepare_run(options);
   require_two_bodies(run);
   const Radii radii = find_radii(run, options);
+  DumpQuestion question{run, options, sweeping};
+  question.network = wanted;
+  std::optional<Recommendation> chosen;  // the subject reads the first frame
+  if (wanted_error(values)) chosen = choose_stride(values, network_subject(question), sweeping);
   const NetworkSetup setup = network_setup(run, radii, wanted);
   const MeasuredNetwork measured = measure_network(run, radii, setup, sweeping);
 
@@ -110,7 +116,8 @@ int run_command(const Values& values) {
   document.text("radius_source", radii.source);
   add_network(document, setup, measured);
   add_aggregate_constants(document, setup, wanted, coordination(measured.table));
-  return emit(values, document, &measured.table);
+  tell_choice(document, chosen);
+  return choice_code(chosen, emit(values, document, &measured.table));
 }
 
 }  // namespace

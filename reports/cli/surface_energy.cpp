@@ -36,57 +36,14 @@ Value energy_option(const std::string& text) {
   return {value, std::pow(10.0, exponent - decimals) / std::sqrt(12.0), dimension::energy};
 }
 
-/// "5" or "none"; empty if it is not given.
-struct Cutoff {
-  std::optional<double> length;
-  bool stated = false;
-};
-Cutoff cutoff(const Values& values, const Scene& scene) {
-  const std::string text = text_of(values, "cutoff");
-  if (text == "none") return {{}, true};
-  if (!text.empty()) return {positive(number(text, "cutoff"), "cutoff"), true};
-  return {scene.cutoff, scene.cutoff.has_value()};
-}
-
-std::optional<bool> shift(const Values& values, const Scene& scene) {
-  const std::string text = text_of(values, "shift");
-  if (text.empty()) return scene.shift;
-  if (text != "yes" && text != "no") throw UsageError("--shift: yes or no expected");
-  return text == "yes";
-}
-
-/// A scale of the potential: 1 in lj units unless it is given.
-double scale(const Values& values, const char* option, std::optional<double> stated,
-             const Run& run) {
-  if (values.count(option)) return positive(values[option].as<double>(), option);
-  if (stated) return *stated;
-  if (run.units == Units::lj) return 1;
-  throw InputError(fmt::format("{}: {} of the potential is not known; add --{} VALUE",
-                               run.dump.string(), option, option));
-}
-
-LennardJones potential(const Values& values, const Run& run) {
-  const Cutoff range = cutoff(values, run.scene);
-  const std::optional<bool> shifted = shift(values, run.scene);
-  if (!range.stated)
-    throw InputError(fmt::format("{}: the cutoff of the potential is not known, and the crystal's "
-                                 "energy depends on it; add --cutoff LENGTH (or none)",
-                                 run.dump.string()));
-  if (range.length && !shifted)
-    throw InputError(fmt::format("{}: it is not known whether the potential is shifted to zero at "
-                                 "the cutoff (pair_modify shift); add --shift yes or no",
-                                 run.dump.string()));
-  return {scale(values, "epsilon", {}, run), scale(values, "sigma", run.scene.sigma, run),
-          range.length, shifted.value_or(false)};
-}
-
-/// The radius that the particle was cut with, if option or scene state it.
-std::optional<Value> cut_radius(const Run& run, const RunOptions& options, std::size_t body) {
-  const std::string& how = run.scene.radius_definition;
-  if (options.radius) return Value{(*options.radius)[body - 1], 0.0, dimension::length};
-  if (run.scene.radii.size() >= body && (how.empty() || how == "cut"))
-    return Value{run.scene.radii[body - 1], 0.0, dimension::length};
-  return std::nullopt;
+/// "5" or "none", yes or no, and the scales.
+PotentialConstants potential_constants(const Values& values) {
+  const std::string cutoff = text_of(values, "cutoff"), shift = text_of(values, "shift");
+  if (!shift.empty() && shift != "yes" && shift != "no") throw UsageError("--shift: yes or no expected");
+  PotentialConstants constants{positive_option(values, "epsilon"), positive_option(values, "sigma"), {}, cutoff == "none", {}};
+  if (!cutoff.empty() && cutoff != "none") constants.cutoff = positive(number(cutoff, "cutoff"), "cutoff");
+  if (!shift.empty()) constants.shifted = shift == "yes";
+  return constants;
 }
 
 void add_potential(Document& document, const LennardJones& u, Units units) {
@@ -130,8 +87,9 @@ int run_command(const Values& values) {
   const auto k = static_cast<std::size_t>(body);
   std::optional<Value> given;
   if (values.count("energy")) given = energy_option(text_of(values, "energy"));
+  const PotentialConstants constants = potential_constants(values);
   const Run run = prepare_run(options);
-  const LennardJones u = potential(values, run);
+  const LennardJones u = lennard_jones(run, constants);
   const FccCrystal crystal = relaxed_fcc(u);
   const std::string column = given ? "" : energy_column(run, text_of(values, "energy-column"));
   const Particle particle = measure_particle(run, k, column, sweeping);
@@ -158,7 +116,8 @@ const Command surface_energy_command{
     "gamma = (U - N e_1)/(4 pi R^2): the energy U of a ball of N atoms above that of as many atoms\n"
     "of the endless fcc crystal (Lennard-Jones, summed pair by pair with the run's cutoff), over its\n"
     "surface. One frame is looked at, the first that --frames chooses; gamma is given with the\n"
-    "radius that the ball was cut with, that of its volume, and that of its radius of gyration.",
+    "radius that the ball was cut with, that of its volume, and that of its radius of gyration. There is no\n"
+    "--error: all atoms of the frame are read, and nothing else takes time (mdana accuracy --only surface-energy).",
     "  mdana surface-energy relaxed.lammpstrj --bodies clusters --cutoff 5 --shift yes --radius 8\n"
     "  mdana surface-energy run/dump.lammpstrj.gz --frames 0:1 --body 2\n"
     "  mdana surface-energy relaxed.lammpstrj --units lj --energy -9.2783e5 --cutoff 5 --shift yes",

@@ -74,7 +74,7 @@ TEST(ForceSeries, NoiseOfDigitsLengthensTheWindowAndIsCovered) {
   EXPECT_EQ(a.window, 5);
   EXPECT_GT(b.window, 9);
   EXPECT_GT(covered(coarse, b, 0.2, 3), 0.9);
-  const std::vector<double> five = interparticle_force(coarse, ForceSource::velocities, Units::lj, 5);
+  const std::vector<double> five = interparticle_force(coarse, ForceSource::velocities, Units::lj, {5});
   double error_of_five = 0, error_of_best = 0;
   for (std::size_t i = 10; i + 10 < five.size(); ++i) {
     error_of_five += std::pow(five[i] - exact(coarse, 0.2, i), 2);
