@@ -41,10 +41,16 @@ void require_place(const fs::path& place) {
     throw InputError(fmt::format("{}: no such directory", place.parent_path().string()));
 }
 
-int locked(const fs::path& place) {
+/// The open marker.
+int mark(const fs::path& place) {
   const fs::path marker = place / report_marker;
-  const int lock = ::open(marker.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) throw std::runtime_error(fmt::format("{}: {}", marker.string(), std::strerror(errno)));
+  const int file = ::open(marker.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) throw std::runtime_error(fmt::format("{}: {}", marker.string(), std::strerror(errno)));
+  return file;
+}
+
+int locked(const fs::path& place) {
+  const int lock = mark(place);
   for (int k = 0; k < tries; ++k) {
     if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
     std::this_thread::sleep_for(between_tries);
@@ -82,9 +88,14 @@ std::vector<fs::path> earlier_files(const fs::path& place) try {
 
 }  // namespace
 
+void make_report_place(const fs::path& place) {
+  require_place(place);
+  fs::create_directory(place);
+  ::close(mark(place));
+}
+
 ReportDirectory::ReportDirectory(const fs::path& place) : place_(place), fresh_(place / ".fresh") {
-  require_place(place_);
-  fs::create_directory(place_);
+  make_report_place(place_);
   lock_ = locked(place_);
   fs::create_directory(cache());
   fs::remove_all(fresh_);
