@@ -57,10 +57,7 @@ class InlineReader {
   InlineLog read() {
     read_title();
     read_columns();
-    while (const auto line = lines_.line()) {
-      if (lines_.unfinished()) break;
-      add_row(*line);
-    }
+    while (const auto line = lines_.line()) add_row(*line);
     end();
     log_.input = lines_.bytes().record();
     return std::move(log_);
@@ -84,8 +81,7 @@ class InlineReader {
       said.emplace(word.substr(0, equals), word.substr(equals + 1));
     }
     for (const auto& [key, value] : said) take(key, value);
-    for (const char* needed : {"units", "timestep"})
-      if (!said.contains(needed)) fail(fmt::format("the first line does not state {}", needed));
+    if (!said.contains("units")) fail("the first line does not state units");
   }
 
   void take(const std::string& key, const std::string& value) {
@@ -93,8 +89,6 @@ class InlineReader {
       const auto units = parse_units(value);
       if (!units) fail(fmt::format("units {} are unknown (known: {})", value, units_names()));
       log_.units = *units;
-    } else if (key == "timestep") {
-      log_.timestep = positive(key, value);
     } else if (key == "interaction") {
       log_.interaction = interaction(value);
     } else if (key == "radii") {
@@ -158,7 +152,7 @@ class InlineReader {
 
   void end() {
     if (const std::string damage = lines_.bytes().damage(); !damage.empty()) log_.cut = damage + "; ";
-    if (lines_.unfinished()) log_.cut += fmt::format("it ends within line {}, which is left out", lines_.number());
+    if (lines_.unfinished()) log_.cut += fmt::format("it ends within line {}, which is left out", lines_.number() + 1);
     if (log_.steps.empty()) fail("there are no rows");
   }
 
@@ -174,7 +168,7 @@ const std::vector<double>* InlineLog::find(std::string_view column) const {
 }
 
 std::vector<std::string> inline_columns(bool potential) {
-  std::vector<std::string> all{"time"};
+  std::vector<std::string> all{"time", "dt"};
   for (const char* body : {"1", "2"}) {
     for (const std::string_view name : motion_columns) all.push_back(std::string(name) + body);
     for (const std::string_view name : energy_columns) all.push_back(std::string(name) + body);

@@ -14,13 +14,12 @@
 namespace mdana {
 
 /// What LAMMPS wrote of two bodies during a run by the lines of `mdana emit --for lammps-inline`: no atoms, but sums over
-/// those of each body. Columns for b = 1, 2: number of atoms n, mass m, centre of mass x y z, its velocity
+/// those of each body. Columns: time, time step dt, and for b = 1, 2 number of atoms n, mass m, centre of mass x y z, its velocity
 /// vx vy vz, summed force fx fy fz, and kinetic energy about the centre of mass Kt, angular momentum
 /// Lx Ly Lz and moments of inertia Ixx Iyy Izz Ixy Iyz Ixz about it; potential energy W, if it was asked for.
 struct InlineLog {
   std::string path;
   Units units = Units::lj;
-  double timestep = 0;              ///< [time]
   Interaction interaction = Interaction::unknown;
   std::vector<double> radii;        ///< [length] of body 1, 2, as the scene stated them; else empty
   std::string radius_definition;
@@ -41,7 +40,7 @@ struct InlineLog {
 inline constexpr std::string_view inline_title = "# mdana-inline 1 ";
 inline constexpr std::string_view inline_columns_title = "# TimeStep ";
 
-/// Names of the columns besides the step, in their order: time, then those of body 1 and of body 2.
+/// Names of the columns besides the step, in their order: time and time step dt, then those of body 1 and of body 2.
 std::vector<std::string> inline_columns(bool potential);
 
 /// By its first bytes. False if there is no such file, too.
