@@ -34,8 +34,15 @@ bool is_report(const fs::path& directory) {
          (fs::is_regular_file(directory / "index.html") && fs::is_regular_file(directory / "results.json"));
 }
 
+/// As a program makes it that makes the directories of tasks' files before they run, or another task just now.
+bool has_only_shards(const fs::path& directory) {
+  return fs::is_directory(directory) && std::ranges::all_of(fs::directory_iterator(directory), [](const auto& entry) {
+           return entry.path().filename() == "shards" || entry.path().filename() == report_marker;
+         });
+}
+
 void require_place(const fs::path& place) {
-  if (fs::exists(place) && !is_report(place) && !(fs::is_directory(place) && fs::is_empty(place)))
+  if (fs::exists(place) && !is_report(place) && !has_only_shards(place))
     throw InputError(fmt::format("{}: exists and is not a report; it is not replaced", place.string()));
   if (!fs::is_directory(place.parent_path()))
     throw InputError(fmt::format("{}: no such directory", place.parent_path().string()));
