@@ -58,7 +58,7 @@ const Command merge_command{
     "Gathers what the tasks of mdana run left in OUT/shards into OUT/cache and writes the report into OUT: the same files as\n"
     "mdana report would write. No run is analysed. Runs that no shard has are listed with the commands that make them, and no\n"
     "report is written (exit code 1); with --partial it is, and says what is missing.",
-    "  mdana merge runs/study.toml -o runs-report\n"
+    "  mdana merge sample-data -o report\n"
     "  mdana merge runs/study.toml -o runs-report --partial",
     add_options,
     run_command};

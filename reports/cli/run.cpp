@@ -42,7 +42,7 @@ const Command run_command{
     "mdana merge makes the report of all. A task that was stopped (SIGTERM, SIGUSR1: exit code 75) or killed goes on when it\n"
     "is started again, and does no run twice; results that are in other shards or in OUT/cache are taken.",
     "  mdana run sample-data --task 1 --of 3 -o report\n"
-    "  mdana run runs/study.toml --task $SLURM_ARRAY_TASK_ID --of 16 --jobs 1 -o runs-report",
+    "  mdana run runs/study.toml --task 3 --of 16 --jobs 1 -o runs-report",
     add_options,
     run_task_command};
 

@@ -16,6 +16,14 @@ from studies import Study
 CLUSTER = ROOT / "sample-data" / "cluster"
 
 
+class Readme(unittest.TestCase):
+    def test_it_shows_both_files(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        for name, first in (("sbatch.sh", "#SBATCH --job-name"), ("Snakefile", "STUDY =")):
+            whole = (CLUSTER / name).read_text(encoding="utf-8")
+            self.assertIn(whole[whole.index(first):] + "```", text)
+
+
 class JobScript(Study):
     def setUp(self):
         super().setUp()
