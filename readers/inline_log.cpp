@@ -24,16 +24,6 @@ constexpr std::string_view bodies_key = " bodies=";
 constexpr std::array<std::string_view, 11> motion_columns{"n", "m", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"};
 constexpr std::array<std::string_view, 10> energy_columns{"Kt", "Lx", "Ly", "Lz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz"};
 
-Words words_of(std::string_view line) {
-  Words words;
-  for (std::string_view rest = trimmed(line); !rest.empty(); rest = trimmed(rest)) {
-    const auto end = std::find_if(rest.begin(), rest.end(), is_blank);
-    words.emplace_back(rest.data(), static_cast<std::size_t>(end - rest.begin()));
-    rest.remove_prefix(words.back().size());
-  }
-  return words;
-}
-
 template <class Number>
 bool is_number(std::string_view text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

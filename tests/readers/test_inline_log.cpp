@@ -95,10 +95,16 @@ TEST_F(InlineLogs, FaultsAreToldWithTheirLines) {
 }
 
 TEST_F(InlineLogs, CompressedAndCut) {
-  const std::string packed = test::gzipped(title + columns + row(0) + row(10));
+  std::string text = title + columns;
+  for (int step = 0; step < 20000; ++step) text += row(step, 1 + step % numbers, std::to_string(1 + 7919 * step % 99991));
+  const std::string packed = test::gzipped(text);
   const InlineLog whole = read_inline_log(folder_.write("whole.gz", packed));
-  EXPECT_EQ(whole.steps.size(), 2u);
+  EXPECT_EQ(whole.steps.size(), 20000u);
   EXPECT_EQ(whole.cut, "");
+  const InlineLog cut = read_inline_log(folder_.write("cut.gz", packed.substr(0, packed.size() / 2)));
+  EXPECT_GT(cut.steps.size(), 1000u);
+  EXPECT_LT(cut.steps.size(), 19000u);
+  EXPECT_NE(cut.cut, "");
 }
 
 }  // namespace
