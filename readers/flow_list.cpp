@@ -24,6 +24,16 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::string_view rest = trimmed(line); !rest.empty(); rest = trimmed(rest)) {
+    const auto end = std::find_if(rest.begin(), rest.end(), is_blank);
+    words.emplace_back(rest.data(), static_cast<std::size_t>(end - rest.begin()));
+    rest.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
 std::optional<std::string_view> bracketed(std::string_view text) {
   text = trimmed(text);
   if (text.size() < 2 || text.front() != '[' || text.back() != ']') return std::nullopt;

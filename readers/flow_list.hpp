@@ -14,6 +14,9 @@ constexpr bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 /// Without blanks before and behind.
 std::string_view trimmed(std::string_view text);
 
+/// What stands between blanks.
+std::vector<std::string_view> words_of(std::string_view line);
+
 /// What is between the brackets of "[ ... ]"; nothing if the text is no such thing.
 std::optional<std::string_view> bracketed(std::string_view text);
 

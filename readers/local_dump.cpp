@@ -15,16 +15,6 @@
 namespace mdana {
 namespace {
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::string_view rest = trimmed(line); !rest.empty(); rest = trimmed(rest)) {
-    const auto end = std::find_if(rest.begin(), rest.end(), is_blank);
-    words.emplace_back(rest.data(), static_cast<std::size_t>(end - rest.begin()));
-    rest.remove_prefix(words.back().size());
-  }
-  return words;
-}
-
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
   Number value{};

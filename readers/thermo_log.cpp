@@ -48,16 +48,6 @@ std::optional<Printed> printed_number(std::string_view text) {
   return number;
 }
 
-Words words_of(std::string_view line) {
-  Words words;
-  for (std::string_view rest = trimmed(line); !rest.empty(); rest = trimmed(rest)) {
-    const auto end = std::find_if(rest.begin(), rest.end(), is_blank);
-    words.emplace_back(rest.data(), static_cast<std::size_t>(end - rest.begin()));
-    rest.remove_prefix(words.back().size());
-  }
-  return words;
-}
-
 bool is_rule(std::string_view word) {
   return word.size() > 3 && word.find_first_not_of('-') == std::string_view::npos;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "readers/file_set.hpp"
+#include "readers/inline_log.hpp"
 #include "readers/input_error.hpp"
 #include "readers/pieces_source.hpp"
 #include "readers/sequence_source.hpp"
@@ -25,6 +26,9 @@ const Format* find_format(ByteSource& bytes, const std::filesystem::path& path) 
     throw InputError(fmt::format("{}: the file is empty", path.string()));
   for (const Format* format : formats())
     if (format->recognises(text)) return format;
+  if (text.starts_with(inline_title))
+    throw InputError(fmt::format("{}: holds no atoms, but sums over two bodies that LAMMPS wrote (mdana emit --for lammps-inline): force, "
+                                 "fit-hertz, fit-force and energy tell of it", path.string()));
   return nullptr;
 }
 

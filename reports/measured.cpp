@@ -8,7 +8,7 @@
 
 #include "analyses/motion.hpp"
 #include "readers/input_error.hpp"
-#include "readers/last_digit.hpp"
+#include "reports/inline_run.hpp"
 
 namespace mdana {
 
@@ -20,7 +20,7 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
   analyses.push_back(make_motion(parts));
   for (auto& other : others) analyses.push_back(std::move(other));
   MeasuredMotion measured;
-  measured.swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
+  measured.swept = sweep_run(run, analyses, options);
   if (measured.swept.steps.size() < 2)
     throw InputError(fmt::format("{}: {} frame used; a collision needs at least two{}",
                                  run.dump.string(), measured.swept.steps.size(),
@@ -30,9 +30,8 @@ MeasuredMotion measure_motion(const Run& run, MotionParts parts,
                            frame_times(run, measured.swept));
   });
   const auto [a, b] = body_motion(measured.swept.tables[0], 0);
-  const double relative = std::sqrt(1 / a.atoms + 1 / b.atoms);
-  measured.motion.position_noise = relative * rounding_of(run.dump, "x", options.dropped_digits);
-  if (parts.velocity) measured.motion.velocity_noise = relative * rounding_of(run.dump, "vx", options.dropped_digits);
+  measured.motion.position_noise = rounding_of_means(run, "x", a.atoms, b.atoms, options.dropped_digits);
+  if (parts.velocity) measured.motion.velocity_noise = rounding_of_means(run, "vx", a.atoms, b.atoms, options.dropped_digits);
   return measured;
 }
 

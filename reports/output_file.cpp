@@ -3,7 +3,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
+#include <string_view>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,12 +25,22 @@ bool sync(const std::filesystem::path& path) {
   return result == 0;
 }
 
+/// Tells processes of different machines apart that write to one directory with the same number.
+std::size_t machine() {
+  static const std::size_t hash = [] {
+    char name[256] = {};
+    ::gethostname(name, sizeof(name) - 1);
+    return std::hash<std::string_view>{}(name) & 0xffffffff;
+  }();
+  return hash;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& place)
     : place_(place),
       temporary_(place.parent_path() /
-                 fmt::format(".{}.part.{}", ::getpid(), place.filename().string())) {}
+                 fmt::format(".{}-{:x}.part.{}", ::getpid(), machine(), place.filename().string())) {}
 
 OutputFile::~OutputFile() {
   if (!renamed_) ::unlink(temporary_.c_str());

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "analyses/gyration.hpp"
+#include "readers/inline_log.hpp"
 #include "readers/input_error.hpp"
 #include "readers/positions.hpp"
 #include "readers/trajectory.hpp"
+#include "reports/inline_run.hpp"
 
 namespace mdana {
 namespace {
@@ -18,7 +20,7 @@ Radii gyration_radii(const Run& run) {
   SweepOptions options;
   options.frames = 1;
   options.selection = run.selection;
-  const SweepResult swept = sweep(run.dump, run.bodies, run.masses, analyses, options);
+  const SweepResult swept = sweep_run(run, analyses, options);
   return {{swept.tables[1].column("radius1")[0], swept.tables[1].column("radius2")[0]},
           "sqrt(5/3) r_g of the first frame", 0};
 }
@@ -75,6 +77,7 @@ Scene find_scene(const RunOptions& options) {
 }
 
 Run prepare_run(const RunOptions& options) {
+  if (is_inline_log(options.dump)) return inline_run(options);
   FrameHeader first = first_header(options.dump);
   if (first.atoms == 0)
     throw InputError(fmt::format("{}: the first frame has no atoms", first.place));

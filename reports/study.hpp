@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,6 +86,51 @@ struct ReportDone {
 /// InputError, also if another process writes there, and Interrupted. The working directory is that of the
 /// study afterwards, from which paths in results count.
 ReportDone make_report(const ReportOptions& options);
+
+/// One of the tasks that a study is divided into, each of which does some of its runs.
+struct TaskChoice {
+  std::size_t task = 1, of = 1;  ///< 1 <= task <= of
+};
+
+/// What is done by which task.
+struct TaskRuns {
+  TaskChoice choice;
+  std::vector<std::size_t> runs;     ///< of the study, from 0
+  std::vector<std::size_t> besides;  ///< runs of other tasks whose E* and R it needs, and does itself unless they are there
+};
+
+/// The tasks of a study, for each number of them, by the sizes of its dumps, the same in every process. Throws InputError.
+std::vector<std::vector<TaskRuns>> study_tasks(const std::filesystem::path& study, std::span<const std::size_t> numbers);
+
+struct TaskDone {
+  std::string json;                   ///< task.json
+  std::filesystem::path file;         ///< where it is
+  std::vector<std::string> failures;  ///< "NAME: reason"
+};
+
+/// Analyses the runs of one task whose results are neither in its shard, OUT/shards/K-of-M, nor in another or in the
+/// cache of the report. No other task writes to that directory; files are put there by renaming alone. Throws as make_report.
+TaskDone run_task(const ReportOptions& options, const TaskChoice& choice);
+
+/// Runs of a task that no shard has.
+struct MissingRuns {
+  TaskChoice choice;
+  bool begun = false;               ///< there is a shard
+  std::vector<std::string> runs;    ///< by name
+  std::size_t all = 0;              ///< runs of the task
+};
+
+struct MergeDone {
+  std::vector<MissingRuns> missing;
+  std::optional<ReportDone> report;  ///< nothing if runs are missing and `partial` is false
+};
+
+/// Gathers the results of all shards and writes the report that make_report would have written; runs are not analysed.
+/// `of`: the division that missing runs are told of; 0: that of the shards. Throws as make_report.
+MergeDone merge_tasks(const ReportOptions& options, std::size_t of, bool partial);
+
+/// The command of a task; without an output "OUT" stands for it.
+std::string command_of(const ReportOptions& options, const TaskChoice& choice);
 
 /// What a report and the files that it was made from are now, a line for each that differs.
 struct Verified {

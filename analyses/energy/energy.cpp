@@ -4,23 +4,19 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "analyses/block_means.hpp"
 #include "analyses/compensated.hpp"
 #include "analyses/energy/mean_vector.hpp"
+#include "analyses/rigid_rotation.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
 namespace {
 
 constexpr std::size_t bodies = 2;
-
-/// No rotation about an axis whose moment of inertia is below this part of the body's second moments:
-/// atoms on the axis, up to the rounding of their positions (squared, with room).
-constexpr double least_inertia = 1e-12;
 
 /// Sums over the atoms of one body about its own means: merged as Moments are (Chan, Golub &
 /// LeVeque 1983), with the rounding of the means kept, so that a drift of 1e7 thermal speeds costs no
@@ -70,27 +66,6 @@ struct BodySums {
   }
 };
 
-struct Rotation {
-  double energy = 0;
-  int axes = 0;  ///< about which the body can turn: 3, of atoms on a line 2, of one atom 0
-};
-
-/// 1/2 L . I^-1 L over the principal axes. Their moments of inertia are sums of two principal second
-/// moments, which do not cancel for atoms on a line as tr(S) - S does.
-Rotation rotation(const BodySums& body) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.spread);
-  const Eigen::Vector3d& s = principal.eigenvalues();
-  Rotation result;
-  for (int k = 0; k < 3; ++k) {
-    const double inertia = s[(k + 1) % 3] + s[(k + 2) % 3];
-    if (!(inertia > least_inertia * s.sum())) continue;
-    const double l = principal.eigenvectors().col(k).dot(body.spin);
-    result.energy += 0.5 * l * (l / inertia);
-    ++result.axes;
-  }
-  return result;
-}
-
 class EnergyPartial final : public Partial {
  public:
   EnergyPartial(const std::string& potential, const std::string& place)
@@ -119,7 +94,7 @@ class EnergyPartial final : public Partial {
   void close(std::span<double> row) const override {
     std::size_t k = 0;
     for (const BodySums& body : body_) {
-      const Rotation turning = rotation(body);
+      const RigidRotation turning = rigid_rotation(body.spread, body.spin);
       row[k++] = 0.5 * body.heat;
       row[k++] = turning.energy;
       row[k++] = std::max(0.0, 3.0 * static_cast<double>(body.count) - 3.0 - turning.axes);

@@ -25,7 +25,7 @@ enum ExitCode {
   usage = 2,
   damaged_input = 3,   ///< what could be computed is written
   not_converged = 4,
-  resumable = 75,      ///< stopped by SIGTERM
+  resumable = 75,      ///< stopped by SIGTERM or SIGUSR1: to be run again
   interrupted = 130,   ///< stopped by SIGINT
 };
 

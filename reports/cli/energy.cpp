@@ -4,6 +4,7 @@
 #include "reports/cli/error_option.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/exchange.hpp"
+#include "reports/inline_run.hpp"
 #include "reports/plan.hpp"
 
 namespace mdana::cli {
@@ -20,6 +21,7 @@ struct Measured {
 /// Energies by the final clusters besides.
 void tell_exchange(Document& document, const Measured& m, bool wanted) {
   if (!m.energy.budget) return;
+  if (!has_atoms(m.run)) return document.left_out("exchanged atoms", needs_atoms);
   const ForceCurve curve = force_curve(m.motion.motion, best_force_source(m.run), m.run.units,
                                        m.radii.sum());
   add_exchange(document, {m.run, m.motion, curve, restitution(m.motion.motion, curve), m.energy.curve,

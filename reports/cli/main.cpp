@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <csignal>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -22,7 +21,7 @@ std::string overview() {
   for (const Command* c : commands()) text += fmt::format("  {:<16}{}\n", c->name, c->summary);
   text += "\nmdana COMMAND --help tells the options of a command and shows examples.\n"
           "exit codes: 0 done, 1 failed, 2 usage, 3 damaged input (what could be computed is "
-          "written),\n4 not converged, 75 stopped by SIGTERM, 130 interrupted\n";
+          "written),\n4 not converged, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted\n";
   return text;
 }
 
@@ -115,8 +114,7 @@ int main_guarded(int argc, char** argv) {
   } catch (const UsageError& e) {
     return report_usage(name, e.what());
   } catch (const Interrupted& e) {
-    return report_failure("stopped; nothing was written",
-                          e.signal == SIGTERM ? resumable : interrupted);
+    return report_failure("stopped; nothing was written", code_after(e.signal));
   } catch (const std::exception& e) {
     return report_failure(e.what(), failed);
   }

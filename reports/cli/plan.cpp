@@ -7,8 +7,9 @@
 #include "readers/input_error.hpp"
 #include "reports/cli/measuring_options.hpp"
 #include "reports/cli/signals.hpp"
+#include "reports/cli/study_options.hpp"
 #include "reports/plan_document.hpp"
-#include "reports/study.hpp"
+#include "reports/task_plan.hpp"
 
 namespace mdana::cli {
 namespace {
@@ -24,7 +25,9 @@ void add_options(Options& options) {
       ("report", po::value<std::string>()->default_value("")->value_name("OUT"),
        "of a study: the directory of its report; runs whose results are there cost nothing")     //
       ("only", po::value<std::string>()->default_value("")->value_name("NAME"),
-       "of a study: these runs only (* and ? stand for anything)");
+       "of a study: these runs only (* and ? stand for anything)")                               //
+      ("tasks", po::bool_switch(), "of a study: how it is divided into tasks for mdana run")     //
+      ("of", po::value<long>()->value_name("M"), "with --tasks: into how many (default: as many as are sensible)");
   add_material_options(options);
   add_potential_options(options);
   add_output_options(options, true);
@@ -93,9 +96,27 @@ PlannedOfStudy plan_run_of_study(const RunOutlook& outlook, SweepOptions sweepin
   return planned;
 }
 
+/// The study's tasks in all divisions that are tried, or in the one that is asked for besides one alone.
+int plan_tasks(const Values& values, const ReportOptions& options, const std::vector<PlannedOfStudy>& runs, Document& document,
+               const Watch& watch) {
+  std::vector<std::size_t> numbers = tried_divisions(runs.size());
+  if (values.count("of")) numbers = {1, count_option(values, "of")};
+  const auto divisions = study_tasks(options.input, numbers);
+  std::vector<TaskCosts> costs;
+  for (const auto& division : divisions) costs.push_back(costs_of(division, runs));
+  const std::size_t chosen = values.count("of") ? 1 : sensible(costs);
+  add_task_plan(document, runs, divisions, chosen, options);
+  tell_time(document, watch);
+  const Table table = task_table(divisions[chosen], costs[chosen]);
+  return emit(values, document, &table);
+}
+
 int plan_study(const Values& values, const SweepOptions& sweeping) {
   const Watch watch;
   if (values["for"].as<std::string>() != "report") throw UsageError("--for: a study is planned for its report");
+  const bool tasks = values["tasks"].as<bool>();
+  if (tasks && !values["only"].as<std::string>().empty()) throw UsageError("--tasks: of the whole study, without --only");
+  if (!tasks && values.count("of")) throw UsageError("--of: needs --tasks");
   ReportOptions options;
   options.input = values["input"].as<std::string>();
   options.output = values["report"].as<std::string>();
@@ -103,6 +124,7 @@ int plan_study(const Values& values, const SweepOptions& sweeping) {
   std::vector<PlannedOfStudy> runs;
   for (const RunOutlook& outlook : study_outlook(options)) runs.push_back(plan_run_of_study(outlook, sweeping));
   Document document("plan");
+  if (tasks) return plan_tasks(values, options, runs, document, watch);
   add_study_plan(document, runs);
   tell_time(document, watch);
   const Table table = study_cost_table(runs);
@@ -115,7 +137,9 @@ int run_command(const Values& values) {
   check_output(values, true);
   SweepOptions sweeping = sweep_options(values);
   sweeping.progress = nullptr;
-  return is_study(values["input"].as<std::string>()) ? plan_study(values, sweeping) : plan_dump(values, sweeping);
+  if (is_study(values["input"].as<std::string>())) return plan_study(values, sweeping);
+  if (values["tasks"].as<bool>() || values.count("of")) throw UsageError("--tasks: of a study file or a directory");
+  return plan_dump(values, sweeping);
 }
 
 }  // namespace
@@ -128,10 +152,12 @@ const Command plan_command{
     "Of a dump: which analyses its scene calls for, from which columns and how many frames, in which time and\n"
     "memory, and what is left out with the reason. Decided by the first header, the scene file and this build;\n"
     "the same plan drives the commands and stands in their results. Times come from a few frames that are\n"
-    "analysed on this machine. Of a study file or a directory: of all its runs. Nothing is written but -o.",
+    "analysed on this machine. Of a study file or a directory: of all its runs, or (--tasks) how they are divided into tasks for\n"
+    "mdana run. Nothing is written but -o.",
     "  mdana plan sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana plan sample-data/adhesive-tiny/dump.lammpstrj.gz --for force --json\n"
     "  mdana plan sample-data\n"
+    "  mdana plan --tasks sample-data --of 2\n"
     "  mdana plan runs/study.toml --report report -o plan.csv",
     add_options,
     run_command};

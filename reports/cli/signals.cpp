@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,7 +14,19 @@ namespace {
 std::atomic<int> stop{0};
 bool progress_shown = false;
 
-void on_signal(int number) { stop = number; }
+/// What does not look at the signal, as a fit, is ended after that: outputs are written whole or not at all.
+constexpr unsigned grace = 10;  ///< [s], less than the 30 s that batch systems wait between SIGTERM and SIGKILL
+
+void on_signal(int number) {
+  stop = number;
+  ::alarm(grace);
+}
+
+void on_alarm(int) {
+  constexpr std::string_view told = "mdana: stopped\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, told.data(), told.size());
+  ::_exit(code_after(stop));
+}
 
 /// The second signal of a kind ends the program; system calls are not restarted. What the caller
 /// ignores (nohup) stays ignored.
@@ -30,9 +43,13 @@ void catch_signal(int number) {
 
 const std::atomic<int>& stop_signal() { return stop; }
 
+ExitCode code_after(int signal) { return signal == SIGINT ? interrupted : resumable; }
+
 void catch_signals() {
-  catch_signal(SIGINT);
-  catch_signal(SIGTERM);
+  for (const int number : {SIGINT, SIGTERM, SIGUSR1}) catch_signal(number);
+  struct sigaction action {};
+  action.sa_handler = on_alarm;
+  ::sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit (ulimit -f) is an error that writing tells
 }
 

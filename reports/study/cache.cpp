@@ -12,6 +12,7 @@
 #include "readers/input_error.hpp"
 #include "readers/input_record.hpp"
 #include "reports/atomic_file.hpp"
+#include "reports/document.hpp"
 #include "reports/study/cached_pictures.hpp"
 
 namespace mdana {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view title = "mdana-run 2 ";
+constexpr const char* ending = ".run";
 
 /// JSON has no infinities; null is NaN.
 Json exact(double value) {
@@ -147,6 +149,24 @@ std::optional<std::string> body_of(const fs::path& file) {
   return body;
 }
 
+std::string with_checksum(const std::string& body) { return fmt::format("{}{}\n{}", title, content_hash(body), body); }
+
+std::optional<Json> key_in(const fs::path& file) {
+  const auto body = body_of(file);
+  if (!body) return std::nullopt;
+  return Json::parse(body->substr(0, body->find('\n')));
+}
+
+fs::path failure_file(const fs::path& directory, const std::string& name) { return directory / (name + ".failed"); }
+
+/// What such a file says, if it is of that key.
+std::optional<std::string> failure_in(const fs::path& file, const Json& key) {
+  std::ifstream stream(file);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!json.is_object() || !json.contains("key") || json["key"] != key) return std::nullopt;
+  return json.value("reason", "failed");
+}
+
 }  // namespace
 
 const Table* RunRecord::table(std::string_view name) const {
@@ -159,11 +179,18 @@ const Value* RunRecord::number(std::string_view name) const {
   return at == numbers.end() ? nullptr : &at->value;
 }
 
-std::optional<Json> RunCache::key(const std::string& name) const {
-  const auto body = body_of(file(name));
-  if (!body) return std::nullopt;
-  return Json::parse(body->substr(0, body->find('\n')));
+RunCache::RunCache(fs::path directory, const std::vector<fs::path>& others) : directory_(std::move(directory)) {
+  std::error_code ignored;  // a directory that is not there has nothing
+  for (const fs::path& other : others)
+    for (const auto& entry : fs::directory_iterator(other, ignored)) others_.emplace(entry.path().filename().string(), entry.path());
 }
+
+fs::path RunCache::file(const std::string& name) const {
+  const auto at = adopted_.find(name + ending);
+  return at == adopted_.end() ? directory_ / (name + ending) : at->second;
+}
+
+std::optional<Json> RunCache::key(const std::string& name) const { return key_in(file(name)); }
 
 RunRecord RunCache::load(const std::string& name) const {
   const auto body = body_of(file(name));
@@ -172,14 +199,40 @@ RunRecord RunCache::load(const std::string& name) const {
 }
 
 void RunCache::store(const std::string& name, const Json& key, const RunRecord& record) const {
-  const std::string body = line(key) + line(record_json(record));
-  write_file(file(name), fmt::format("{}{}\n{}", title, content_hash(body), body));
+  write_file(directory_ / (name + ending), with_checksum(line(key) + line(record_json(record))));
+  std::error_code ignored;
+  fs::remove(failure_file(directory_, name), ignored);
+}
+
+void RunCache::adopt(const std::string& name, const Json& key) {
+  if (others_.empty() || this->key(name) == key) return;
+  const auto [first, last] = others_.equal_range(name + ending);
+  const auto at = std::find_if(first, last, [&](const auto& other) { return key_in(other.second) == key; });
+  if (at != last) adopted_[at->first] = at->second;
+}
+
+void RunCache::gather() {
+  for (const auto& [name, place] : adopted_)
+    if (const auto body = body_of(place)) write_file(directory_ / name, with_checksum(*body));
+  adopted_.clear();
+}
+
+void RunCache::store_failure(const std::string& name, const Json& key, const std::string& reason) const {
+  write_file(failure_file(directory_, name), to_text(Json{{"key", key}, {"reason", reason}}));
+}
+
+std::optional<std::string> RunCache::failure(const std::string& name, const Json& key) const {
+  if (const auto own = failure_in(failure_file(directory_, name), key)) return own;
+  const auto [first, last] = others_.equal_range(failure_file({}, name).string());
+  for (auto at = first; at != last; ++at)
+    if (const auto other = failure_in(at->second, key)) return other;
+  return std::nullopt;
 }
 
 void RunCache::keep_only(const std::vector<std::string>& names) const {
   for (const auto& entry : fs::directory_iterator(directory_))
     if (const fs::path& path = entry.path(); path.filename().string().starts_with('.') ||  // left by one that was killed
-        (path.extension() == ".run" && std::ranges::find(names, path.stem().string()) == names.end()))
+        ((path.extension() == ending || path.extension() == ".failed") && std::ranges::find(names, path.stem().string()) == names.end()))
       fs::remove(path);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,10 +37,11 @@ struct RunRecord {
 };
 
 /// Records of runs as files, a file a run, each with what it was made from (its key) and a checksum. Doubles
-/// keep their bits. Files are whole or not there.
+/// keep their bits. Files are whole or not there. Runs that failed leave the reason.
 class RunCache {
  public:
-  explicit RunCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  /// `others`: directories of other caches, as they are now, whose records can be taken over.
+  explicit RunCache(std::filesystem::path directory, const std::vector<std::filesystem::path>& others = {});
 
   /// What the record of that name was made from; nothing if there is none, or if it is damaged.
   std::optional<nlohmann::ordered_json> key(const std::string& name) const;
@@ -49,13 +51,25 @@ class RunCache {
 
   void store(const std::string& name, const nlohmann::ordered_json& key, const RunRecord& record) const;
 
+  /// If there is no record of that name and key here, but in another directory, that one counts from now on.
+  void adopt(const std::string& name, const nlohmann::ordered_json& key);
+
+  /// Copies what was adopted.
+  void gather();
+
+  /// Why a run failed: kept until there is a record of it. Nothing if it did not fail with that key, here or in another directory.
+  void store_failure(const std::string& name, const nlohmann::ordered_json& key, const std::string& reason) const;
+  std::optional<std::string> failure(const std::string& name, const nlohmann::ordered_json& key) const;
+
   /// Removes what is not among the names.
   void keep_only(const std::vector<std::string>& names) const;
 
  private:
-  std::filesystem::path file(const std::string& name) const { return directory_ / (name + ".run"); }
+  std::filesystem::path file(const std::string& name) const;  ///< that counts
 
   std::filesystem::path directory_;
+  std::multimap<std::string, std::filesystem::path> others_;  ///< by names of files
+  std::map<std::string, std::filesystem::path> adopted_;      ///< likewise
 };
 
 }  // namespace mdana

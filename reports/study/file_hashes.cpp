@@ -25,13 +25,15 @@ std::string state_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-FileHashes::FileHashes(const std::filesystem::path& place) : place_(place) {
-  std::ifstream stream(place_);
+FileHashes::FileHashes(const std::filesystem::path& place) : place_(place) { add(place); }
+
+void FileHashes::add(const std::filesystem::path& place) {
+  std::ifstream stream(place);
   const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
   if (!json.is_object()) return;
   for (const auto& [name, entry] : json.items())
     if (entry.is_object() && entry.contains("state") && entry.contains("size") && entry["size"].is_number_unsigned() &&
-        entry.contains("hash") && entry["hash"].is_string())
+        entry.contains("hash") && entry["hash"].is_string() && (!known_.contains(name) || known_[name]["state"] != state_of(name)))
       known_[name] = entry;
 }
 

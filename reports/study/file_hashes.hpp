@@ -18,6 +18,9 @@ class FileHashes {
   /// No file is read: records have neither size nor hash.
   FileHashes() = default;
 
+  /// Those that another process kept, besides.
+  void add(const std::filesystem::path& place);
+
   /// Throws InputError if the file cannot be opened.
   InputRecord record(const std::filesystem::path& file);
 

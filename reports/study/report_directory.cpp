@@ -34,17 +34,30 @@ bool is_report(const fs::path& directory) {
          (fs::is_regular_file(directory / "index.html") && fs::is_regular_file(directory / "results.json"));
 }
 
+/// As a program makes it that makes the directories of tasks' files before they run, or another task just now.
+bool has_only_shards(const fs::path& directory) {
+  return fs::is_directory(directory) && std::ranges::all_of(fs::directory_iterator(directory), [](const auto& entry) {
+           return entry.path().filename() == "shards" || entry.path().filename() == report_marker;
+         });
+}
+
 void require_place(const fs::path& place) {
-  if (fs::exists(place) && !is_report(place) && !(fs::is_directory(place) && fs::is_empty(place)))
+  if (fs::exists(place) && !is_report(place) && !has_only_shards(place))
     throw InputError(fmt::format("{}: exists and is not a report; it is not replaced", place.string()));
   if (!fs::is_directory(place.parent_path()))
     throw InputError(fmt::format("{}: no such directory", place.parent_path().string()));
 }
 
-int locked(const fs::path& place) {
+/// The open marker.
+int mark(const fs::path& place) {
   const fs::path marker = place / report_marker;
-  const int lock = ::open(marker.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) throw std::runtime_error(fmt::format("{}: {}", marker.string(), std::strerror(errno)));
+  const int file = ::open(marker.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) throw std::runtime_error(fmt::format("{}: {}", marker.string(), std::strerror(errno)));
+  return file;
+}
+
+int locked(const fs::path& place) {
+  const int lock = mark(place);
   for (int k = 0; k < tries; ++k) {
     if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
     std::this_thread::sleep_for(between_tries);
@@ -82,9 +95,14 @@ std::vector<fs::path> earlier_files(const fs::path& place) try {
 
 }  // namespace
 
+void make_report_place(const fs::path& place) {
+  require_place(place);
+  fs::create_directory(place);
+  ::close(mark(place));
+}
+
 ReportDirectory::ReportDirectory(const fs::path& place) : place_(place), fresh_(place / ".fresh") {
-  require_place(place_);
-  fs::create_directory(place_);
+  make_report_place(place_);
   lock_ = locked(place_);
   fs::create_directory(cache());
   fs::remove_all(fresh_);

@@ -14,6 +14,9 @@ namespace mdana {
 /// The files of a report and what they were made from.
 inline constexpr const char* manifest_name = "manifest.json";
 
+/// Makes the directory of a report if it is not there. Throws InputError if something else than a report is in the place.
+void make_report_place(const std::filesystem::path& place);
+
 /// The directory of a report: a cache that stays, and files that are replaced together. One process at a time.
 class ReportDirectory {
  public:

@@ -25,15 +25,23 @@ void add_files(const fs::path& name, FileHashes& hashes, std::vector<InputRecord
     for (const fs::path& piece : pieces) files.push_back(hashes.record(piece));
 }
 
-void open(StudyRun& run, const StudySettings& settings, FileHashes& hashes) try {
+void open(StudyRun& run, const StudySettings& settings) try {
   const PlannedRun& plan = *run.plan;
   run.scene = load_scene(plan.scene);
   if (run.scene.dump.empty()) throw InputError(fmt::format("{}: the scene names no dump", plan.scene.string()));
   run.task = {plan.name, plan.scene, plan.scene.parent_path() / run.scene.dump, plan.log, plan.frames,
               settings.accuracy, settings.stability, settings.defects, settings.draws("snapshots"), {}, {}};
+} catch (const InputError& error) {
+  run.state = RunState::failed;
+  run.why = error.what();
+}
+
+void hash_files(StudyRun& run, FileHashes& hashes) try {
+  if (run.hashed) return;
   run.task.files.push_back(hashes.record(run.task.scene));
   add_files(run.task.dump, hashes, run.task.files);
   if (!run.task.log.empty()) run.task.files.push_back(hashes.record(run.task.log));
+  run.hashed = true;
 } catch (const InputError& error) {
   run.state = RunState::failed;
   run.why = error.what();
@@ -68,34 +76,61 @@ bool wanted(const std::string& name, const std::string& only) {
   return only.empty() || ::fnmatch(only.c_str(), name.c_str(), 0) == 0;
 }
 
-void settle_one(std::vector<StudyRun>& runs, std::size_t index, const RunCache& cache) {
-  StudyRun& run = runs[index];
-  if (run.state == RunState::failed || run.done()) return;
-  const bool asked = run.state != RunState::left_out;
-  run.task.companion.reset();
-  for (const std::size_t k : run.partners) {
-    if (runs[k].state == RunState::failed || run.task.companion) continue;
-    if (runs[k].done()) {
-      run.task.companion = companion_of(runs[k], cache);
-    } else if (asked) {
-      if (runs[k].state == RunState::left_out) runs[k].state = RunState::to_run;
-      run.state = RunState::waiting;
-      run.why = "after " + runs[k].plan->name + ", whose E* and R it takes";
-      return;
-    }
+/// Settles runs, those that others wait for first.
+class Settling {
+ public:
+  Settling(std::vector<StudyRun>& runs, RunCache& cache, FileHashes& hashes)
+      : runs_(runs), cache_(cache), hashes_(hashes) {}
+
+  void settle(StudyRun& run) {
+    if (run.state == RunState::failed || run.state == RunState::elsewhere || run.done()) return;
+    hash_files(run, hashes_);
+    if (run.state == RunState::failed || !choose_companion(run)) return;
+    const auto key = key_of(run.task);
+    cache_.adopt(run.file, key);
+    const auto known = cache_.key(run.file);
+    const std::string changed = known ? difference(*known, key) : "no result yet";
+    if (changed.empty())
+      run.state = RunState::cached;
+    else if (run.state != RunState::left_out)
+      run.state = RunState::to_run;
+    run.why = run.state == RunState::left_out ? fmt::format("not asked for by --only ({})", changed) : changed;
   }
-  const auto known = cache.key(run.file);
-  const std::string changed = known ? difference(*known, key_of(run.task)) : "no result yet";
-  if (changed.empty())
-    run.state = RunState::cached;
-  else if (asked)
+
+ private:
+  /// False if it waits for one that is to be run.
+  bool choose_companion(StudyRun& run) {
+    run.task.companion.reset();
+    for (const std::size_t k : run.partners) {
+      StudyRun& partner = runs_[k];
+      if (run.task.companion) return true;
+      if (run.state != RunState::left_out) ask_for(partner);
+      if (partner.done()) {
+        run.task.companion = companion_of(partner, cache_);
+      } else if (partner.state == RunState::to_run && run.state != RunState::left_out) {
+        run.state = RunState::waiting;
+        run.why = "after " + partner.plan->name + ", whose E* and R it takes";
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Of a run that another needs.
+  void ask_for(StudyRun& run) {
+    if (run.state != RunState::left_out && run.state != RunState::elsewhere) return;
     run.state = RunState::to_run;
-  run.why = run.state == RunState::left_out ? fmt::format("not asked for by --only ({})", changed) : changed;
-}
+    settle(run);
+  }
+
+  std::vector<StudyRun>& runs_;
+  RunCache& cache_;
+  FileHashes& hashes_;
+};
 
 }  // namespace
 
-std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only, FileHashes& hashes) {
+std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only) {
   const std::vector<std::string> files = file_names(plan);
   std::vector<StudyRun> runs(plan.runs.size());
   std::vector<std::string> names;
@@ -107,7 +142,7 @@ std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only, 
     any = any || wanted(plan.runs[k].name, only);
   }
   if (!any) throw InputError(fmt::format("--only {}: no run is called so; there are {}", only, fmt::join(names, ", ")));
-  for (StudyRun& run : runs) open(run, plan.settings, hashes);
+  for (StudyRun& run : runs) open(run, plan.settings);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     runs[k].partners = partners_of(runs, k);
     if (runs[k].state == RunState::to_run && !wanted(runs[k].plan->name, only)) runs[k].state = RunState::left_out;
@@ -115,10 +150,11 @@ std::vector<StudyRun> open_runs(const StudyPlan& plan, const std::string& only, 
   return runs;
 }
 
-void settle(std::vector<StudyRun>& runs, const RunCache& cache) {
+void settle(std::vector<StudyRun>& runs, RunCache& cache, FileHashes& hashes) {
+  Settling settling(runs, cache, hashes);
   for (const bool alone : {true, false})  // partners before those that take their E* and R
-    for (std::size_t k = 0; k < runs.size(); ++k)
-      if (runs[k].partners.empty() == alone) settle_one(runs, k, cache);
+    for (StudyRun& run : runs)
+      if (run.partners.empty() == alone) settling.settle(run);
 }
 
 }  // namespace mdana

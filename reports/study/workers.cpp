@@ -24,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_told = 4000;  ///< bytes of a reason: a pipe holds them without a reader
 constexpr auto look_again = std::chrono::milliseconds(3);
+constexpr int stopped_status = 75;  ///< of a process whose work a signal has stopped
 
 struct Worker {
   std::size_t index;
@@ -32,11 +33,13 @@ struct Worker {
   Clock::time_point start;
 };
 
-/// Why the work failed; empty if it did not.
+/// Why the work failed; empty if it did not. In the process of the work.
 std::string reason_of(const Work& work) {
   try {
     work();
     return {};
+  } catch (const Interrupted&) {
+    ::_exit(stopped_status);
   } catch (const std::bad_alloc&) {
     return "not enough memory";
   } catch (const std::exception& error) {
@@ -95,13 +98,20 @@ void end_all(const std::vector<Worker>& workers) {
   }
 }
 
+/// A signal to all processes of a group may come to the works first: they have not failed.
+[[noreturn]] void end_as_stopped(const std::vector<Worker>& workers, const std::atomic<int>* stop) {
+  end_all(workers);
+  throw Interrupted(stop && *stop ? stop->load() : SIGTERM);
+}
+
 /// Those that ended are told of and taken out.
-bool collect(std::vector<Worker>& workers, const std::function<void(const WorkDone&)>& done) {
+bool collect(std::vector<Worker>& workers, const std::atomic<int>* stop, const std::function<void(const WorkDone&)>& done) {
   for (auto worker = workers.begin(); worker != workers.end(); ++worker) {
     int status = 0;
     if (::waitpid(worker->process, &status, WNOHANG) <= 0) continue;
     const WorkDone result = result_of(*worker, status);
     workers.erase(worker);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == stopped_status) end_as_stopped(workers, stop);
     done(result);
     return true;
   }
@@ -115,14 +125,11 @@ void run_in_processes(const std::vector<Work>& works, std::size_t jobs, const st
   std::vector<Worker> workers;
   std::size_t next = 0;
   while (next < works.size() || !workers.empty()) {
-    if (stop && *stop) {
-      end_all(workers);
-      throw Interrupted(*stop);
-    }
+    if (stop && *stop) end_as_stopped(workers, stop);
     if (next < works.size() && workers.size() < jobs) {
       workers.push_back(start(works[next], next));
       ++next;
-    } else if (!collect(workers, done)) {
+    } else if (!collect(workers, stop, done)) {
       std::this_thread::sleep_for(look_again);
     }
   }

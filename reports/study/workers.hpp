@@ -20,7 +20,7 @@ struct WorkDone {
 };
 
 /// Does each work in a process, `jobs` at a time, in their order, and tells of each as it ends. No thread
-/// may be running. `stop` ends those that are running, and throws Interrupted. If this process is killed, they
+/// may be running. `stop`, or a signal that a work was stopped by, ends those that are running, and throws Interrupted. If this process is killed, they
 /// are, too.
 void run_in_processes(const std::vector<Work>& works, std::size_t jobs, const std::atomic<int>* stop,
                       const std::function<void(const WorkDone&)>& done);

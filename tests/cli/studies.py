@@ -84,7 +84,7 @@ class Study(Case):
         found = {}
         for path in sorted(p for p in out.rglob("*") if p.is_file()):
             name = str(path.relative_to(out))
-            if name.startswith("cache/") or name in ("manifest.json", ".mdana-report"):
+            if name.startswith(("cache/", "shards/")) or name in ("manifest.json", ".mdana-report"):
                 continue
             if path.suffix == ".h5":
                 found[name] = hdf5_contents(path)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SIGINT and SIGTERM in the middle of a long sweep: exit codes 130 and 75, a word on the standard error, no file."""
+"""SIGINT, SIGTERM and SIGUSR1 in the middle of a long sweep, and of a fit, which does not look at them: exit codes 130, 75 and
+75, a word on the standard error, no file."""
 
 import gzip
 import os
@@ -55,7 +56,7 @@ class Signals(Case):
             status = dict(line.split(":", 1) for line in (place / "status").read_text().splitlines() if ":" in line)
             caught = int(status["SigCgt"], 16)
             read = int((place / "io").read_text().split()[1])  # rchar
-            if caught >> (signal.SIGINT - 1) & caught >> (signal.SIGTERM - 1) & 1 and read > 2_000_000:
+            if caught >> (signal.SIGINT - 1) & caught >> (signal.SIGTERM - 1) & caught >> (signal.SIGUSR1 - 1) & 1 and read > 2_000_000:
                 return
             time.sleep(0.01)
         self.fail("mdana did not begin to read within 20 s")
@@ -63,13 +64,29 @@ class Signals(Case):
     def test_exit_codes(self):
         dump = self.dir / "long.gz"
         long_dump(dump)
-        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 75)):
-            for command in ("info", "check", "force", "contact-radius", "fit-hertz"):
+        for number, code, commands in ((signal.SIGINT, 130, ("info", "check", "force", "contact-radius", "fit-hertz")),
+                                       (signal.SIGTERM, 75, ("info", "check", "force", "contact-radius", "fit-hertz")),
+                                       (signal.SIGUSR1, 75, ("check", "force"))):
+            for command in commands:
                 with self.subTest(f"{signal.Signals(number).name} {command}"):
                     done, error = self.stop(number, command, dump, "--json", "-o", self.dir / "out.json")
                     self.assertEqual(done, code, error)
                     self.assertIn("nothing was written", error)
                     self.assertEqual(os.listdir(self.dir), ["long.gz"])
+
+    def test_a_fit_is_ended_after_ten_seconds(self):
+        table = running.ROOT / "sample-data" / "restitution.csv"
+        with subprocess.Popen([running.program, "fit-contact", "--law", "krijt", table, "--table2", "--per-radius", "T_vis", "--bootstrap",
+                               "100000", "-o", self.dir / "out.json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            try:
+                time.sleep(2)
+                process.send_signal(signal.SIGUSR1)
+                out, error = process.communicate(timeout=30)
+            finally:
+                process.kill()
+        self.assertEqual(process.returncode, 75, error)
+        self.assertEqual((out, error), ("", "mdana: stopped\n"))
+        self.assertEqual(os.listdir(self.dir), [])
 
 
 if __name__ == "__main__":
