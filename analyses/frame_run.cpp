@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -168,7 +169,7 @@ class FrameRun::Rounds {
         ++told.blocks;
       });
     });
-    if (told.failure) told.failure->at = cut_failed_ ? cut_ : told.blocks * ranks() + own_rank();
+    if (told.failure) told.failure->at = std::min<std::uint64_t>(told.blocks * ranks() + own_rank(), cut_);
     told.uncertain = uncertain_;
     Parcel head;
     head(told);
@@ -217,7 +218,7 @@ class FrameRun::Rounds {
                   const std::function<void(Partials&)>& take) {
     const bool kept = rounds_done_ > 0 && keep_;
     if (rounds_done_ > 0 && !kept) chunks_->restart();
-    cut_ = 0;
+    cut_ = kept ? std::numeric_limits<std::uint64_t>::max() : 0;
     cut_failed_ = nullptr;
     std::size_t next = 0;
     BlockPipeline pipeline;
@@ -312,7 +313,7 @@ class FrameRun::Rounds {
   std::atomic<std::uint64_t> uncertain_ = 0;
   bool on_ranks_ = false;               ///< the frame's blocks are shared by all ranks
   std::uint64_t uncertain_of_all_ = 0;  ///< uncertain_ of all ranks
-  std::uint64_t cut_ = 0;               ///< chunks in this round
+  std::uint64_t cut_ = 0;               ///< chunks in this round; without bound where none are cut
   std::exception_ptr cut_failed_;       ///< at the next one
   bool keep_ = false;  ///< the whole frame is in kept_, or may still be
   std::size_t kept_bytes_ = 0;

@@ -106,6 +106,13 @@ void FrameWalk::follow() {
   if (unwrapping_) located(header_, [&] { return whole_.follow(header_, chunks, *unwrapping_), FrameOutcome{}; });
 }
 
+void FrameWalk::pass_rest() try {
+  there_ = false;
+  while (source_->next(header_)) {
+  }
+} catch (const InputError&) {  // behind all frames that are used
+}
+
 /// Small frames, shared by the threads, until the end or a frame that is not small.
 void FrameWalk::small_frames(const Take& take) {
   std::exception_ptr ended_by;  // behind frames that are whole

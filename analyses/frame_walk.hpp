@@ -42,6 +42,8 @@ class FrameWalk {
 
   /// How many frames there are from this one on, at most: `share` of the input lies behind, and each takes `a_frame` of it.
   double left(double share, double a_frame) const { return chosen_.left(place_, share, a_frame); }
+  /// Passes over what is left, which other ranks have done: at the end a reader leaves an index of the frames that it met.
+  void pass_rest();
   std::vector<InputRecord> records() { return source_->records(); }
 
  private:

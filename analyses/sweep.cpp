@@ -41,7 +41,10 @@ SweepResult run(const std::string& path, const FramePlan& plan, const SweepOptio
   rows.give_products();
   if (result.steps.empty()) throw InputError(path + ": no frame in the file, or none chosen");
   result.unwrapped = walk.unwraps();
-  if (!options.frames && is_first_rank()) result.inputs = walk.records();
+  if (!options.frames && is_first_rank()) {
+    if (rank_count() > 1 && result.damage.empty() && !options.choice.end) walk.pass_rest();
+    result.inputs = walk.records();
+  }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::move(result);
 }

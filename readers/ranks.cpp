@@ -56,7 +56,7 @@ void check_places(const std::vector<std::string>& all, const std::string& head) 
   for (std::size_t k = 0; k < all.size(); ++k)
     if (!all[k].starts_with(head))
       give_up(static_cast<int>(k), 1, fmt::format("is at another place of the work ({}) than others ({})",
-                                                  all[k].substr(1, all[k].find('\n')), head.substr(1)));
+                                                  all[k].substr(1, all[k].find('\n') - 1), head.substr(1, head.size() - 2)));
 }
 
 }  // namespace

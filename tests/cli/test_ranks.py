@@ -5,13 +5,17 @@ import gzip
 import os
 import re
 import shutil
+import signal
 import subprocess
+import sys
+import time
 from pathlib import Path
 
 import numpy as np
 
 import dumps
 import running
+import test_signals
 from running import ROOT, SAMPLE, Case
 
 RANKS, THREADS = (1, 2, 3, 5), (1, 2)
@@ -158,10 +162,24 @@ class Ranks(Case):
         self.assertNotEqual(done.returncode, 0)
         self.assertEqual([file.name for file in self.dir.iterdir()], ["large.dump"])
 
+    def test_stop(self):
+        dump = self.dir / "long.gz"
+        test_signals.long_dump(dump)
+        line = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", "2", running.program, "energy", dump, "--radius", "5",
+                "-o", self.dir / "table.csv"]
+        with subprocess.Popen(line, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as process:
+            time.sleep(2)
+            self.assertIsNone(process.poll(), "mdana ended before the signal")
+            process.send_signal(signal.SIGTERM)
+            out, _ = process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertEqual((out, os.listdir(self.dir)), ("", ["long.gz"]))
+
 
 if __name__ == "__main__":
     if not MPIRUN:
         running.skip("no mpirun")
-    if not Path(os.path.realpath(running.sys.argv[1])).with_name("libmdana_mpi.so").exists():
+    if not Path(os.path.realpath(sys.argv[1])).with_name("libmdana_mpi.so").exists():
         running.skip("this build has no MPI")
     running.main()
