@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,14 +40,18 @@ struct FrameContext {
   std::span<const BodyMotion> motion;  ///< of body 1, 2, ... if Needs::after_motion
 };
 
+class Parcel;
+
 /// What an analysis knows of a part of a frame: a monoid. Partials are made for single blocks and
-/// merged along one fixed tree over block numbers, so that results do not depend on threads.
+/// merged along one fixed tree over block numbers, so that results depend neither on threads nor on ranks.
 class Partial {
  public:
   virtual ~Partial() = default;
   virtual void add(const LabelledBlock& block) = 0;     ///< called once, on a fresh partial
   virtual void merge(const Partial& later) = 0;         ///< with atoms that follow in the file
   virtual void close(std::span<double> row) const = 0;  ///< one value for each column
+  /// All that `add` and `merge` change, for a fresh partial of the same frame on another rank; see analyses/parcel.hpp.
+  virtual void pass(Parcel& parcel) = 0;
 };
 
 /// One measurement on the atoms of each frame; becomes a table with a row a frame.
@@ -63,6 +69,8 @@ class Product {
  public:
   virtual ~Product() = default;
   virtual void give() = 0;
+  /// Instead, to the first rank, for FrameAnalysis::give_sent there: in pieces if it is large.
+  virtual void send(const std::function<void(const std::string& bytes)>& to) = 0;
 };
 
 /// An analysis that needs neighbours: it sees the atoms of a frame together, in an order that the
@@ -75,6 +83,8 @@ class FrameAnalysis : public Analysis {
                                         std::span<double> row) const = 0;
   /// Memory for atoms that are looked at together, FrameAtoms included.
   virtual std::size_t bytes_an_atom() const = 0;
+  /// Gives a product on that another rank sends; `from` is the next of its pieces.
+  virtual void give_sent(const std::function<std::string()>& from) const = 0;
 
   std::unique_ptr<Partial> begin(const FrameContext&) const final;
 };

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "analyses/parcel.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -25,6 +26,7 @@ struct PhaseSums {
   Eigen::Vector3d cosines = Eigen::Vector3d::Zero(), sines = Eigen::Vector3d::Zero();
   Eigen::Vector3d scaled = Eigen::Vector3d::Zero();
   double atoms = 0;
+  void pass(Parcel& parcel) { parcel(cosines, sines, scaled, atoms); }
 };
 
 class CentresPartial final : public Partial {
@@ -55,6 +57,8 @@ class CentresPartial final : public Partial {
       sums_[b].atoms += other.sums_[b].atoms;
     }
   }
+
+  void pass(Parcel& parcel) override { parcel(sums_); }
 
   void close(std::span<double> row) const override {
     auto to = row.begin();

@@ -25,6 +25,11 @@ class CompensatedSum {
   }
   Vector value() const { return sum_ + rest_; }
 
+  template <class P>
+  void pass(P& parcel) {
+    parcel(sum_, rest_);
+  }
+
  private:
   Vector sum_ = Vector::Zero();
   Vector rest_ = Vector::Zero();

@@ -36,6 +36,11 @@ struct FaultPlane {
   double area = 0;                 ///< [length^2]
   double error = 0;                ///< [length^2]: each atom at the edge is cut anywhere in its cell
   std::size_t atoms = 0;           ///< hcp atoms
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(kind, body, normal, centre, area, error, atoms);
+  }
 };
 
 /// A closed part of a surface, through the centres of the atoms at it.
@@ -43,6 +48,11 @@ struct SurfacePart {
   double area = 0;    ///< [length^2]
   double volume = 0;  ///< enclosed [length^3]; negative for the wall of a void
   std::size_t triangles = 0;
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(area, volume, triangles);
+  }
 };
 
 /// A surface as triangles between atoms, corners against the clock seen from outside.
@@ -62,12 +72,22 @@ struct SurfaceMesh {
   double radius(double spacing) const;
   /// Of half a layer, 0.1 spacings on other faces, and of the volume [length].
   double radius_error(double spacing) const;
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(points, triangles, part, parts, area_error, volume_error);
+  }
 };
 
 /// The surfaces of bodies 1 and 2, each as if it were alone, and where they cover each other.
 struct BodySurfaces {
   std::array<SurfaceMesh, 2> body;
   Value patch{0, {}, dimension::area};  ///< where they cover each other
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(body, patch);
+  }
 };
 
 /// What is known of each of some atoms; what was not asked for is empty.
@@ -78,6 +98,11 @@ struct AtomLabels {
   std::vector<std::uint32_t> cluster;       ///< connected fcc atoms: 1, 2, ... by lowest id; 0 is none
   std::vector<float> centro_symmetry;       ///< [length^2]
   std::vector<std::uint8_t> coordination;   ///< atoms within 1.2071 spacings
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(structure, site, margin, cluster, centro_symmetry, coordination);
+  }
 };
 
 /// All atoms of a frame with their labels, in memory or in a temporary file.
@@ -102,6 +127,12 @@ struct FrameDefects {
   std::array<std::optional<Eigen::Quaterniond>, 2> lattice;
   std::array<Eigen::Vector3d, 2> centre;
   std::array<double, 2> volume{};
+
+  /// Without the atoms.
+  template <class P>
+  void pass(P& parcel) {
+    parcel(step, planes, surfaces, lines, spacing, lattice, centre, volume);
+  }
 };
 
 struct DefectSettings {

@@ -57,6 +57,12 @@ struct DislocationSegment {
   std::optional<Eigen::Vector3i> slip_plane;  ///< {111} in the axes of burgers_here that holds both
   Value length;                          ///< [length]
   std::vector<Eigen::Vector3d> points;   ///< [length], from node to node; first and last alike if closed
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(body, nodes, ends, burgers, burgers_here, turn, crystal, aligned, in_twin, family, character, character_spread, slip_plane,
+           length, points);
+  }
 };
 
 /// What several segments bring to a place beyond which no lattice is known; see LineEnd::lattice.
@@ -65,6 +71,11 @@ struct UnresolvedEnds {
   std::size_t segments = 0;
   Eigen::Vector3d burgers;  ///< of all that end there [lattice constants]
   Eigen::Vector3d centre;   ///< [length]
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(body, segments, burgers, centre);
+  }
 };
 
 struct DislocationLines {
@@ -80,6 +91,11 @@ struct DislocationLines {
   /// lines that have ends add up; those of closed ones are independent.
   Value length(BodyIndex body, std::optional<LineFamily> family = {}) const;
   double length_below(double shortest) const;  ///< of the pieces shorter than that [length]
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(segments, nodes, unresolved, absorbed, residual);
+  }
 };
 
 }  // namespace mdana

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "analyses/motion.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -25,6 +26,7 @@ class Greatest {
   void merge(const Greatest& other) {
     for (const double value : other.values_) offer(value);
   }
+  void pass(Parcel& parcel) { parcel(values_); }
   /// The last of them that there is.
   double last() const {
     const auto none = std::find(values_.begin() + 1, values_.end(), lowest);
@@ -56,6 +58,8 @@ class FarSidePartial final : public Partial {
     const auto& other = dynamic_cast<const FarSidePartial&>(later);
     for (std::size_t b = 0; b < 2; ++b) reach_[b].merge(other.reach_[b]);
   }
+
+  void pass(Parcel& parcel) override { parcel(reach_); }
 
   void close(std::span<double> row) const override {
     for (std::size_t b = 0; b < 2; ++b) row[b] = reach_[b].last();

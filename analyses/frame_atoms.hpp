@@ -24,6 +24,11 @@ struct FrameAtoms {
   void add(const AtomBlock& block, std::span<const BodyIndex> bodies, bool ids, bool types);
   void sort_by_id();
   void reorder(const std::vector<std::uint32_t>& order);  ///< atom order[k] becomes the k-th
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(x, y, z, body, id, type);
+  }
 };
 
 }  // namespace mdana

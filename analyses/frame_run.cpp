@@ -2,16 +2,22 @@
 #include "analyses/frame_run.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analyses/block_pipeline.hpp"
+#include "analyses/failure.hpp"
 #include "analyses/frame_store.hpp"
 #include "analyses/merge_tree.hpp"
 #include "analyses/motion.hpp"
+#include "analyses/parcel.hpp"
 #include "readers/input_error.hpp"
 #include "readers/last_digit.hpp"
+#include "readers/ranks.hpp"
 
 namespace mdana {
 
@@ -46,7 +52,8 @@ class FrameRun::Rounds {
           .push_back(k);
   }
 
-  FrameOutcome run(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping) {
+  FrameOutcome run(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping, bool on_ranks) {
+    on_ranks_ = on_ranks;
     begin(header, chunks, unwrapping);
     if (unwrapping) unwrapping->begin(header.box, box_centres());
     FrameOutcome outcome;
@@ -61,12 +68,20 @@ class FrameRun::Rounds {
       round(members(second_), {header, motion}, outcome.rows);
     }
     if (plan_.whole_frame) whole_frame(header, outcome);
+    outcome.uncertain_images = on_ranks_ ? uncertain_of_all_ : uncertain_.load();
     return outcome;
   }
 
-  std::uint64_t uncertain_images() const { return uncertain_; }
+  void follow(const FrameHeader& header, ChunkSupply& chunks, Unwrapping& unwrapping) {
+    on_ranks_ = false;
+    begin(header, chunks, &unwrapping);
+    rounds_left_ = 1;
+    keep_ = false;
+    unwrapping.begin(header.box, box_centres());
+  }
 
  private:
+  using Partials = std::vector<std::unique_ptr<Partial>>;
   /// An analysis of a round and the place of its row.
   struct Member {
     const Analysis* analysis;
@@ -81,7 +96,7 @@ class FrameRun::Rounds {
     std::vector<BodyIndex> body;
     std::vector<double> mass;
     std::size_t uncertain = 0;
-    std::vector<std::unique_ptr<Partial>> partials;  ///< of the round's members
+    Partials partials;  ///< of the round's members
   };
 
   void begin(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping) {
@@ -117,7 +132,13 @@ class FrameRun::Rounds {
   void round(const std::vector<Member>& members, const FrameContext& context,
              std::vector<std::vector<double>>& rows) {
     std::vector<MergeTree> trees(members.size());
-    run_blocks(members, context, trees);
+    const auto merge = [&](Partials& partials) {
+      for (std::size_t i = 0; i < members.size(); ++i) trees[i].push(std::move(partials[i]));
+    };
+    if (on_ranks_)
+      blocks_of_ranks(members, context, merge);
+    else
+      run_blocks(members, context, merge);
     --rounds_left_;
     ++rounds_done_;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -129,17 +150,82 @@ class FrameRun::Rounds {
     }
   }
 
-  /// Blocks of the frame, from the file or those kept in an earlier round, through the pipeline.
+  /// What a rank tells the others of its blocks in a round, before their partials.
+  struct Told {
+    std::uint64_t blocks = 0;
+    std::uint64_t uncertain = 0;  ///< images
+    std::optional<Failure> failure;
+    void pass(Parcel& parcel) { parcel(blocks, uncertain, failure); }
+  };
+
+  /// Every rank takes its share of the blocks and gets the partials of all.
+  void blocks_of_ranks(const std::vector<Member>& members, const FrameContext& context,
+                       const std::function<void(Partials&)>& take) {
+    Told told;
+    Parcel partials;
+    told.failure = Failure::of([&] {
+      run_blocks(members, context, [&](Partials& of_block) {
+        for (auto& partial : of_block) partial->pass(partials);
+        ++told.blocks;
+      });
+    });
+    if (told.failure) told.failure->at = std::min<std::uint64_t>(told.blocks * ranks() + own_rank(), cut_);
+    told.uncertain = uncertain_;
+    Parcel head;
+    head(told);
+    take_from_ranks(gather_from_ranks("blocks of " + header_->place, head.take() + partials.take()), members, context, take);
+  }
+
+  void take_from_ranks(std::vector<std::string> all, const std::vector<Member>& members, const FrameContext& context,
+                       const std::function<void(Partials&)>& take) {
+    std::vector<Parcel> parcels;
+    std::vector<Told> told(all.size());
+    uncertain_of_all_ = 0;
+    for (std::size_t rank = 0; rank < all.size(); ++rank) {
+      parcels.emplace_back(std::move(all[rank]));
+      parcels.back()(told[rank]);
+      uncertain_of_all_ += told[rank].uncertain;
+    }
+    raise_first(told, [](const Told& of_rank) { return of_rank.failure; });
+    for (std::size_t block = 0; block / ranks() < told[block % ranks()].blocks; ++block) {
+      Partials partials;
+      for (const Member& member : members) {
+        partials.push_back(member.analysis->begin(context));
+        partials.back()->pass(parcels[block % ranks()]);
+      }
+      take(partials);
+    }
+  }
+
+  static std::size_t ranks() { return static_cast<std::size_t>(rank_count()); }
+  static std::size_t own_rank() { return static_cast<std::size_t>(rank()); }
+  bool is_own(std::uint64_t block) const { return !on_ranks_ || block % ranks() == own_rank(); }
+
+  /// The next chunk of this rank. Damage is noted: the blocks before it come first.
+  bool cut(Place& place) {
+    try {
+      do place.cut = chunks_->cut(place.chunk);
+      while (place.cut && !is_own(cut_++));
+    } catch (...) {
+      cut_failed_ = std::current_exception();
+      place.cut = nullptr;
+    }
+    return place.cut != nullptr;
+  }
+
+  /// Blocks of the frame (of this rank), from the file or those kept in an earlier round, through the pipeline.
   void run_blocks(const std::vector<Member>& members, const FrameContext& context,
-                  std::vector<MergeTree>& trees) {
+                  const std::function<void(Partials&)>& take) {
     const bool kept = rounds_done_ > 0 && keep_;
     if (rounds_done_ > 0 && !kept) chunks_->restart();
+    cut_ = kept ? std::numeric_limits<std::uint64_t>::max() : 0;
+    cut_failed_ = nullptr;
     std::size_t next = 0;
     BlockPipeline pipeline;
     pipeline.threads = threads_;
     pipeline.slots = places_.size();
     pipeline.produce = [&](std::size_t slot) {
-      if (!kept) return (places_[slot].cut = chunks_->cut(places_[slot].chunk)) != nullptr;
+      if (!kept) return cut(places_[slot]);
       if (next == kept_.size()) return false;
       places_[slot].block = std::move(kept_[next++]);
       return true;
@@ -151,7 +237,7 @@ class FrameRun::Rounds {
     std::size_t collected = 0;
     pipeline.collect = [&](std::size_t slot) {
       Place& place = places_[slot];
-      for (std::size_t i = 0; i < members.size(); ++i) trees[i].push(std::move(place.partials[i]));
+      take(place.partials);
       if (plan_.stop && *plan_.stop) throw Interrupted(*plan_.stop);
       if (gather_) atoms_->add(place.block, place.body);
       if (kept)
@@ -160,6 +246,7 @@ class FrameRun::Rounds {
         keep(place);
     };
     mdana::run(pipeline);
+    if (cut_failed_) std::rethrow_exception(cut_failed_);
   }
 
   /// The gathered atoms to those that need them together.
@@ -172,7 +259,7 @@ class FrameRun::Rounds {
       const auto& analysis = dynamic_cast<const FrameAnalysis&>(*plan_.analyses[k]);
       outcome.rows[k].resize(analysis.columns().size());
       auto product = analysis.look(header, *atoms, threads_, outcome.rows[k]);
-      if (product) outcome.products.push_back(std::move(product));
+      if (product) outcome.products.push_back({k, std::move(product)});
     }
   }
 
@@ -224,6 +311,10 @@ class FrameRun::Rounds {
   bool centred_ = false;  ///< the bodies' centres are settled
   int rounds_left_ = 0, rounds_done_ = 0;
   std::atomic<std::uint64_t> uncertain_ = 0;
+  bool on_ranks_ = false;               ///< the frame's blocks are shared by all ranks
+  std::uint64_t uncertain_of_all_ = 0;  ///< uncertain_ of all ranks
+  std::uint64_t cut_ = 0;               ///< chunks in this round; without bound where none are cut
+  std::exception_ptr cut_failed_;       ///< at the next one
   bool keep_ = false;  ///< the whole frame is in kept_, or may still be
   std::size_t kept_bytes_ = 0;
   std::vector<AtomBlock> kept_;
@@ -238,9 +329,15 @@ FrameRun::FrameRun(FrameRun&&) noexcept = default;
 
 FrameOutcome FrameRun::run(const FrameHeader& header, ChunkSupply& chunks,
                            Unwrapping* unwrapping) {
-  return rounds_->run(header, chunks, unwrapping);
+  return rounds_->run(header, chunks, unwrapping, false);
 }
 
-std::uint64_t FrameRun::uncertain_images() const { return rounds_->uncertain_images(); }
+FrameOutcome FrameRun::run_on_ranks(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping) {
+  return rounds_->run(header, chunks, unwrapping, true);
+}
+
+void FrameRun::follow(const FrameHeader& header, ChunkSupply& chunks, Unwrapping& unwrapping) {
+  rounds_->follow(header, chunks, unwrapping);
+}
 
 }  // namespace mdana

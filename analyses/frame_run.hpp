@@ -56,8 +56,25 @@ class ChunkSupply {
 
 /// What the analyses make of a frame.
 struct FrameOutcome {
-  std::vector<std::vector<double>> rows;           ///< one for each analysis
-  std::vector<std::unique_ptr<Product>> products;  ///< to be written
+  /// Of an analysis, to be given on.
+  struct Found {
+    std::size_t analysis;
+    std::unique_ptr<Product> product;  ///< null of another rank
+
+    template <class P>
+    void pass(P& parcel) {
+      parcel(analysis);
+    }
+  };
+  std::vector<std::vector<double>> rows;  ///< one for each analysis
+  std::vector<Found> products;
+  std::uint64_t uncertain_images = 0;  ///< atoms; see Unwrapping
+
+  /// Without the products, which stay on their rank.
+  template <class P>
+  void pass(P& parcel) {
+    parcel(rows, products, uncertain_images);
+  }
 };
 
 /// Gives the blocks of a frame to all analyses, in rounds: first the bodies' centres if positions
@@ -74,7 +91,12 @@ class FrameRun {
   /// null if positions are right as they are.
   FrameOutcome run(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping);
 
-  std::uint64_t uncertain_images() const;  ///< atoms of the last frame; see Unwrapping
+  /// The same, with the blocks shared by all ranks, each of which calls it and gets the whole. Not for analyses of whole
+  /// frames.
+  FrameOutcome run_on_ranks(const FrameHeader& header, ChunkSupply& chunks, Unwrapping* unwrapping);
+
+  /// Settles the bodies' centres of a frame that another rank analyses.
+  void follow(const FrameHeader& header, ChunkSupply& chunks, Unwrapping& unwrapping);
 
  private:
   class Rounds;

@@ -21,6 +21,11 @@ struct Grain {
   double radius;             ///< [length]
   BodyIndex body;            ///< 1 or 2
   std::int64_t id = 0;       ///< only where grains are followed
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(position, radius, body, id);
+  }
 };
 
 /// Two grains that touch, or that are so near that they may hold each other.

@@ -20,6 +20,11 @@ struct Moments {
   Vector mean = Vector::Zero();
   double spread = 0;  ///< sum of weight * |point - mean|^2
 
+  template <class P>
+  void pass(P& parcel) {
+    parcel(count, weight, mean, spread);
+  }
+
   void merge(const Moments& other) {
     if (other.count == 0) return;
     if (count == 0) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "analyses/parcel.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -79,6 +80,11 @@ class SliceProduct final : public Product {
  public:
   SliceProduct(const std::function<void(Slice)>& use, Slice slice) : use_(use), slice_(std::move(slice)) {}
   void give() override { use_(std::move(slice_)); }
+  void send(const std::function<void(const std::string&)>& to) override {
+    Parcel parcel;
+    parcel(slice_.diameter, slice_.at);
+    to(parcel.take());
+  }
 
  private:
   const std::function<void(Slice)>& use_;
@@ -99,6 +105,13 @@ class SliceAnalysis final : public FrameAnalysis {
     Slice slice = slice_of(atoms, diameter_);
     row[0] = static_cast<double>(slice.size());
     return std::make_unique<SliceProduct>(product_, std::move(slice));
+  }
+
+  void give_sent(const std::function<std::string()>& from) const override {
+    Parcel parcel(from());
+    Slice slice;
+    parcel(slice.diameter, slice.at);
+    product_(std::move(slice));
   }
 
  private:

@@ -32,7 +32,7 @@ struct SweepOptions {
   std::size_t threads = 1;                      ///< at least 1
   std::size_t memory = std::size_t{128} << 20;  ///< bytes for blocks kept between two rounds
   /// Bytes for the atoms of a frame that are needed together, besides; what needs more is done in
-  /// parts, by way of temporary files. Default: half of what the machine has free.
+  /// parts, by way of temporary files. Default: half of what the machine has free, shared by its ranks.
   std::optional<std::size_t> frame_memory;
   bool strict = false;                          ///< damaged input is an error, not a result
   /// Moves every converted real number at random within its last printed digit (see
@@ -53,7 +53,7 @@ struct SweepResult {
   std::vector<std::string> columns_read;      ///< of the first frame used, as the dump names them
   std::vector<std::string> columns_not_read;  ///< the others: nothing in them was looked at
   std::string damage;                ///< why reading ended before the end of the file, else empty
-  std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep
+  std::vector<InputRecord> inputs;   ///< of the whole files; none if `frames` stopped the sweep, or on another rank
   double seconds = 0;
 };
 
@@ -63,7 +63,8 @@ struct SweepResult {
 /// a motion analysis, by convention its first. Analyses of whole frames get the atoms of the bodies
 /// together (see analyses/frame_atoms.hpp), and what they have to write is given on in the order of
 /// the frames, one frame late. Threads share the blocks of large frames, and small
-/// frames; the bits of the result do not depend on them.
+/// frames, and so do ranks (readers/ranks.hpp; analyses/rank_sweep.hpp): all of them call it and get the whole result, but
+/// products and `inputs` are given to the first one only. The bits of the result depend on neither.
 /// Wrapped positions without image flags are unwrapped by continuity (see analyses/box_centres.hpp).
 /// Frames from one that is damaged on are left out, and one right before it that has another number of
 /// atoms than the frame before, and `damage` says why; throws InputError if

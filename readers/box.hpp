@@ -17,6 +17,11 @@ struct Box {
   /// The bounds that the edges were rounded from, if a dump stated them: for writing them again.
   struct Bounds {
     Eigen::Vector3d lo, hi;
+
+    template <class P>
+    void pass(P& parcel) {
+      parcel(lo, hi);
+    }
   };
   std::optional<Bounds> stated;
 
@@ -24,6 +29,12 @@ struct Box {
 
   /// Position [length] of scaled coordinates (0..1 inside the box).
   Eigen::Vector3d position(const Eigen::Vector3d& scaled) const { return origin + edges * scaled; }
+
+  /// The members, for other ranks; see analyses/parcel.hpp.
+  template <class P>
+  void pass(P& parcel) {
+    parcel(origin, edges, periodic, stated);
+  }
 };
 
 /// Box from LAMMPS' bounds and tilt factors: `lo`, `hi` are those of the dump's ITEM: BOX BOUNDS,

@@ -25,6 +25,12 @@ struct FrameHeader {
   std::string place;                 ///< "file:line (frame i, step n)" for messages
 
   bool has_column(std::string_view name) const;
+
+  /// The members, for other ranks; see analyses/parcel.hpp.
+  template <class P>
+  void pass(P& parcel) {
+    parcel(index, step, time, units, atoms, box, columns, place);
+  }
 };
 
 class FrameLayout;

@@ -14,6 +14,8 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include "readers/ranks.hpp"
+
 namespace mdana {
 namespace {
 
@@ -121,6 +123,7 @@ std::optional<FrameIndex> load_frame_index(const std::filesystem::path& file) {
 }
 
 bool save_frame_index(const FrameIndex& index, const std::filesystem::path& file) {
+  if (!is_first_rank()) return false;
   const auto state = state_of(file);
   if (!state) return false;
   std::string text = body(index, *state);

@@ -30,7 +30,8 @@ constexpr std::uint64_t least_indexed_size = std::uint64_t{256} << 20;
 /// another state of the file.
 std::optional<FrameIndex> load_frame_index(const std::filesystem::path& file);
 
-/// Writes the index beside the file, whole or not at all. False if that is not possible there.
+/// Writes the index beside the file, whole or not at all. False if that is not possible there, and on other ranks than the
+/// first.
 bool save_frame_index(const FrameIndex& index, const std::filesystem::path& file);
 
 /// The name of the index.

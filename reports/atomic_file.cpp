@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "readers/byte_sink.hpp"
+#include "readers/ranks.hpp"
 #include "reports/output_file.hpp"
 
 namespace mdana {
@@ -18,6 +19,7 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
 
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write) {
+  if (!is_first_rank()) return;
   OutputFile file(path);
   file.writing([&] { write(file.path()); });
   file.commit();

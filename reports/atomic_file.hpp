@@ -7,7 +7,8 @@
 
 namespace mdana {
 
-/// Writes a file whole or not at all: under a temporary name beside it, then renamed.
+/// Writes a file whole or not at all: under a temporary name beside it, then renamed. Does nothing on other ranks than the
+/// first.
 /// Throws std::runtime_error naming the path and the reason.
 void write_file(const std::filesystem::path& path, std::string_view text);
 

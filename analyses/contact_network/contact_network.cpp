@@ -2,6 +2,7 @@
 #include "analyses/contact_network.hpp"
 
 #include "analyses/contact_network/network_numbers.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -34,6 +35,8 @@ class ContactNetworkPartial final : public Partial {
     const auto& other = dynamic_cast<const ContactNetworkPartial&>(later);
     grains_.insert(grains_.end(), other.grains_.begin(), other.grains_.end());
   }
+
+  void pass(Parcel& parcel) override { parcel(grains_); }
 
   void close(std::span<double> row) const override {
     std::vector<GrainContact> contacts = find_contacts(grains_, settings_.law);

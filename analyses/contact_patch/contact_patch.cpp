@@ -8,6 +8,7 @@
 #include "analyses/contact_patch/cross_neighbours.hpp"
 #include "analyses/contact_patch/neighbour_offset.hpp"
 #include "analyses/contact_plane.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -61,6 +62,8 @@ class ContactPatchPartial final : public Partial {
     const auto& other = dynamic_cast<const ContactPatchPartial&>(later);
     atoms_.insert(atoms_.end(), other.atoms_.begin(), other.atoms_.end());
   }
+
+  void pass(Parcel& parcel) override { parcel(atoms_); }
 
   void close(std::span<double> row) const override {
     const Radius alpha = alpha_radius();

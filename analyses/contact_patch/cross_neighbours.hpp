@@ -14,6 +14,11 @@ struct ZoneAtom {
   Eigen::Vector2d position;  ///< in the plane [length]
   double height;             ///< above it, towards body 2 [length]
   BodyIndex body;            ///< 1 or 2
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(position, height, body);
+  }
 };
 
 /// Distance of each atom to the nearest one of the other body [length]; infinity if that is more

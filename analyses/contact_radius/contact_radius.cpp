@@ -7,6 +7,7 @@
 
 #include "analyses/contact_plane.hpp"
 #include "analyses/moments.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -24,6 +25,7 @@ struct Layer {
     moments.merge(later.moments);
     for (std::size_t b = 0; b < 2; ++b) atoms[b] += later.atoms[b];
   }
+  void pass(Parcel& parcel) { parcel(moments, atoms); }
   bool touch() const { return atoms[0] > 0 && atoms[1] > 0; }
   double radius() const {
     return touch() ? std::sqrt(2.0 * (moments.spread / moments.weight)) : 0.0;
@@ -61,6 +63,8 @@ class ContactRadiusPartial final : public Partial {
     const auto& other = dynamic_cast<const ContactRadiusPartial&>(later);
     for (std::size_t k = 0; k < layers_.size(); ++k) layers_[k].merge(other.layers_[k]);
   }
+
+  void pass(Parcel& parcel) override { parcel(layers_); }
 
   void close(std::span<double> row) const override {
     const Layer& layer = layers_[0];

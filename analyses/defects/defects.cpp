@@ -5,6 +5,8 @@
 
 #include "analyses/defects/frame_look.hpp"
 #include "analyses/defects/lines/columns.hpp"
+#include "analyses/defects/sent_atoms.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -34,6 +36,13 @@ class DefectProduct final : public Product {
   DefectProduct(const DefectSettings& settings, const FrameHeader& header, FrameDefects found)
       : settings_(settings), header_(header), found_(std::move(found)) {}
   void give() override { settings_.product(header_, found_); }
+
+  void send(const std::function<void(const std::string&)>& to) override {
+    Parcel parcel;
+    parcel(header_, found_);
+    to(parcel.take());
+    if (settings_.labels) send_atoms(*found_.atoms, to);
+  }
 
  private:
   const DefectSettings& settings_;
@@ -78,6 +87,17 @@ class Defects final : public FrameAnalysis {
     FrameDefects found = FrameLook(settings_, header, atoms, threads).fill(row);
     if (!settings_.product) return nullptr;
     return std::make_unique<DefectProduct>(settings_, header, std::move(found));
+  }
+
+  void give_sent(const std::function<std::string()>& from) const override {
+    Parcel parcel(from());
+    FrameHeader header;
+    FrameDefects found;
+    parcel(header, found);
+    const auto atoms = settings_.labels ? std::make_shared<const SentAtoms>(from) : nullptr;
+    found.atoms = atoms;
+    settings_.product(header, found);
+    if (atoms) atoms->for_blocks([](const FrameAtoms&, const AtomLabels&) {});  // what is left of them
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "analyses/block_means.hpp"
 #include "analyses/compensated.hpp"
 #include "analyses/energy/mean_vector.hpp"
+#include "analyses/parcel.hpp"
 #include "analyses/rigid_rotation.hpp"
 #include "readers/input_error.hpp"
 
@@ -30,6 +31,8 @@ struct BodySums {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();    ///< angular momentum, sum of m dx cross dv
   double heat = 0;                                   ///< sum of m |dv|^2
   CompensatedSum<1> potential;
+
+  void pass(Parcel& parcel) { parcel(count, mass, x, v, spread, spin, heat, potential); }
 
   void add(double m, const Eigen::Vector3d& dx, const Eigen::Vector3d& dv) {
     const Eigen::Vector3d weighted = m * dx;
@@ -90,6 +93,8 @@ class EnergyPartial final : public Partial {
     const auto& other = dynamic_cast<const EnergyPartial&>(later);
     for (std::size_t b = 0; b < bodies; ++b) body_[b].merge(other.body_[b]);
   }
+
+  void pass(Parcel& parcel) override { parcel(body_); }
 
   void close(std::span<double> row) const override {
     std::size_t k = 0;

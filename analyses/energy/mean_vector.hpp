@@ -20,6 +20,11 @@ struct MeanVector {
     low = (high - (moved - added)) + (step - added);
     high = moved;
   }
+
+  template <class P>
+  void pass(P& parcel) {
+    parcel(high, low);
+  }
 };
 
 }  // namespace mdana

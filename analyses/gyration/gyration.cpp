@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analyses/moments.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -21,6 +22,8 @@ class GyrationPartial final : public Partial {
     const auto& other = dynamic_cast<const GyrationPartial&>(later);
     for (std::size_t b = 0; b < 2; ++b) body_[b].merge(other.body_[b]);
   }
+
+  void pass(Parcel& parcel) override { parcel(body_); }
 
   void close(std::span<double> row) const override {
     for (std::size_t b = 0; b < 2; ++b)

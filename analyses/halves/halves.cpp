@@ -4,6 +4,7 @@
 #include "analyses/block_means.hpp"
 #include "analyses/contact_plane.hpp"
 #include "analyses/moments.hpp"
+#include "analyses/parcel.hpp"
 
 namespace mdana {
 namespace {
@@ -33,6 +34,8 @@ class HalvesPartial final : public Partial {
     const auto& other = dynamic_cast<const HalvesPartial&>(later);
     for (std::size_t k = 0; k < 2; ++k) side_[k].merge(other.side_[k]);
   }
+
+  void pass(Parcel& parcel) override { parcel(side_); }
 
   void close(std::span<double> row) const override {
     const Eigen::Vector2d apart = side_[1].mean - side_[0].mean;

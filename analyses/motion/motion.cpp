@@ -8,6 +8,7 @@
 #include "analyses/block_means.hpp"
 #include "analyses/compensated.hpp"
 #include "analyses/moments.hpp"
+#include "analyses/parcel.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -19,6 +20,7 @@ struct BodyPartial {
   Moments<3> position;
   Moments<3> velocity;
   CompensatedSum<3> force;
+  void pass(Parcel& parcel) { parcel(position, velocity, force); }
 };
 
 class MotionPartial final : public Partial {
@@ -49,6 +51,8 @@ class MotionPartial final : public Partial {
     }
     others_ += other.others_;
   }
+
+  void pass(Parcel& parcel) override { parcel(body_, others_); }
 
   void close(std::span<double> row) const override {
     std::size_t k = 0;

@@ -9,6 +9,7 @@
 
 #include "analyses/compensated.hpp"
 #include "analyses/moments.hpp"
+#include "analyses/parcel.hpp"
 #include "readers/input_error.hpp"
 
 namespace mdana {
@@ -20,6 +21,7 @@ struct BodyEnergy {
   std::uint64_t count = 0;
   CompensatedSum<1> potential;
   Moments<3> velocity;
+  void pass(Parcel& parcel) { parcel(count, potential, velocity); }
 };
 
 class EnergyPartial final : public Partial {
@@ -42,6 +44,8 @@ class EnergyPartial final : public Partial {
       body_[b].velocity.merge(other.body_[b].velocity);
     }
   }
+
+  void pass(Parcel& parcel) override { parcel(body_); }
 
   void close(std::span<double> row) const override {
     std::size_t k = 0;

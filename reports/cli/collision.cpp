@@ -157,6 +157,7 @@ const Command collision_command{
     "  mdana collision run/dump.lammpstrj.gz --physical argon -o collision.csv\n"
     "  mdana collision seed1/dump.lammpstrj.gz seed2/dump.lammpstrj.gz seed3/dump.lammpstrj.gz --json",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -48,6 +48,7 @@ struct Command {
   std::string_view examples;    ///< one command line a line
   void (*add_options)(Options& options);
   int (*run)(const Values& values);
+  bool on_ranks = false;        ///< shares its work among the processes of mpirun; see readers/ranks.hpp
 };
 
 /// All subcommands of this build.
@@ -108,7 +109,7 @@ bool output_holds_all_tables(const Values& values);
 /// Throws std::runtime_error if the directory of an output does not exist.
 void check_directory(const std::filesystem::path& output);
 
-/// Prints on the standard output; throws std::runtime_error if that is full or closed.
+/// Prints on the standard output (of the first rank); throws std::runtime_error if that is full or closed.
 void print(const std::string& text);
 
 /// Prints the document (text, or JSON with --json) and writes -o; the exit code that follows from

@@ -190,6 +190,7 @@ const Command compress_command{
     "  mdana compress run/dump.lammpstrj.gz --split membership --offset 50 -o compression.csv\n"
     "  mdana compress v5/dump.lammpstrj.gz v10/dump.lammpstrj.gz v20/dump.lammpstrj.gz --json",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -109,6 +109,7 @@ const Command contact_radius_command{
     "  mdana contact-radius sample-data/adhesive-tiny/dump.lammpstrj.gz\n"
     "  mdana contact-radius dump.lammpstrj --units metal --masses 1=107.87 --layer 2.64 -o a.csv",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

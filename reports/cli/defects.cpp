@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "readers/ranks.hpp"
 #include "readers/trajectory.hpp"
 #include "reports/accuracy_subjects.hpp"
 #include "reports/atomic_file.hpp"
@@ -111,7 +112,7 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
   if (products.points) history.lines.keep_points();
   const bool lines = settings.lines;
   settings.ids = run.first.has_column("id");
-  settings.types = products.dump && run.first.has_column("type");
+  settings.types = settings.labels && run.first.has_column("type");
   settings.product = [&](const FrameHeader& header, const FrameDefects& found) {
     history.planes.push_back(found.planes);
     if (lines) history.lines.add(found);
@@ -120,6 +121,7 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
     if (products.pictures) products.pictures->add(header, found);
   };
   const bool two = run.bodies.count() == 2;
+  const double sum = two ? find_radii(run, options).sum() : 0;
   std::vector<std::unique_ptr<Analysis>> analyses;
   if (two) analyses.push_back(make_motion({}));
   analyses.push_back(make_defects(std::move(settings)));
@@ -129,7 +131,6 @@ DefectHistory history_of(const Run& run, const RunOptions& options, const SweepO
   history.times = frame_times(run, swept);
   history.table = std::move(swept.tables.back());
   if (!two) return history;
-  const double sum = find_radii(run, options).sum();
   for (std::size_t row = 0; row < swept.steps.size(); ++row) {
     const auto bodies = body_motion(swept.tables.front(), row);
     history.delta.push_back(sum - (bodies[1].position - bodies[0].position).norm());
@@ -185,13 +186,14 @@ int run_command(const Values& values) {
   Plan plan = plan_command(run, "defects");
   if (!settings.surface && !settings.lines) plan.leave_out(Part::dislocations, "--no-surface, --no-lines");
   Products products;
-  if (format) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
+  if (format && is_first_rank()) products.dump.emplace(values["dump"].as<std::string>(), *format, run);
   if (values.count("vtp")) products.pictures.emplace(values["vtp"].as<std::string>(), settings);
   if (values.count("ca")) products.ca = values["ca"].as<std::string>();
   products.points = output_holds_all_tables(values);
   SweepResult swept;
   const DefectHistory history =
       history_of(run, options, sweeping, std::move(settings), products, swept);
+  if (!is_first_rank()) return done;  // the products are there
   Document document("defects", run);
   document.sweep(swept, run.format);
   add_plan(document, plan);
@@ -232,6 +234,7 @@ const Command defects_command{
     "  mdana defects sample-data/adhesive-tiny/dump.lammpstrj.gz --frames last --vtp last --ca last\n"
     "  mdana defects run/dump.lammpstrj.gz --stride 10 -o defects.csv",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -81,6 +81,7 @@ const Command energy_command{
     "  mdana energy run/dump.lammpstrj.gz --log run/log.lammps -o energy.csv\n"
     "  mdana energy run/dump.lammpstrj.gz --potential c_pe --json",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

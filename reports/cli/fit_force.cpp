@@ -182,6 +182,7 @@ const Command fit_force_command{
     "  mdana fit-force --law jkr --part loop --free E,R -p gamma=3.17 dump.lammpstrj\n"
     "  mdana fit-force --law dmt --free E,gamma,offset --radius 10 dump.lammpstrj --json",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

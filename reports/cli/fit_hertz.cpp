@@ -191,6 +191,7 @@ const Command fit_hertz_command{
     "  mdana fit-hertz r8-*/dump.lammpstrj.gz r10-*/dump.lammpstrj.gz --rows size -o sizes.csv\n"
     "  mdana fit-hertz dump.lammpstrj --units lj --timestep 0.0078125 --json -o fit.csv",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -134,6 +134,7 @@ const Command force_command{
     "  mdana force sample-data/adhesive-tiny/dump.lammpstrj.gz --error 0.2\n"
     "  mdana force run/dump.lammpstrj.gz --compare --json",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "analyses/sweep.hpp"
-#include "readers/input_error.hpp"
+#include "readers/ranks.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
 #include "reports/version.hpp"
@@ -71,20 +71,15 @@ int run(const Command& command, int argc, char** argv) {
     throw UsageError(fmt::format("{} is missing", command.positional));
   if (command.positional.empty() && values.count("input"))
     throw UsageError(fmt::format("{}: {} reads no file", values["input"].as<std::string>(), command.name));
+  if (rank_count() > 1 && !command.on_ranks)
+    throw UsageError(fmt::format("{} does not share its work among processes; start it without mpirun", command.name));
   catch_signals();
   return command.run(values);
 }
 
-int report_usage(std::string_view name, std::string_view what) {
+Ending wrong_usage(std::string_view name, std::string_view what) {
   const std::string command = find(name) ? fmt::format("{} ", name) : "";
-  std::cerr << fmt::format("mdana: {}\nTry: mdana {}--help\n", what, command);
-  return usage;
-}
-
-int report_failure(std::string_view what, int code) {
-  end_progress();
-  std::cerr << "mdana: " << what << "\n";
-  return code;
+  return {usage, fmt::format("{}\nTry: mdana {}--help", what, command)};
 }
 
 int dispatch(std::string_view name, int argc, char** argv) {
@@ -99,28 +94,36 @@ int dispatch(std::string_view name, int argc, char** argv) {
   }
   const Command* command = find(name);
   if (!command) throw UsageError(fmt::format("there is no command '{}'", name));
-  const int code = run(*command, argc - 1, argv + 1);
-  end_progress();
-  return code;
+  return run(*command, argc - 1, argv + 1);
 }
 
-/// Runs the program and turns every way to end into an exit code.
-int main_guarded(int argc, char** argv) {
+/// Runs the program and turns every way to end into one.
+Ending run_guarded(int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";
   try {
-    return dispatch(name, argc, argv);
+    join_ranks();
+    if (!is_first_rank()) std::cerr.setstate(std::ios::badbit);  // which would say everything once more
+    return {dispatch(name, argc, argv), {}};
   } catch (const po::error& e) {
-    return report_usage(name, e.what());
+    return wrong_usage(name, e.what());
   } catch (const UsageError& e) {
-    return report_usage(name, e.what());
+    return wrong_usage(name, e.what());
   } catch (const Interrupted& e) {
-    return report_failure("stopped; nothing was written", code_after(e.signal));
+    return {code_after(e.signal), "stopped; nothing was written"};
+  } catch (const RankLeft& e) {
+    return {e.code, fmt::format("rank {}: {}", e.rank, e.why)};
   } catch (const std::exception& e) {
-    return report_failure(e.what(), failed);
+    return {failed, e.what()};
   }
 }
 
 }  // namespace
 }  // namespace mdana::cli
 
-int main(int argc, char** argv) { return mdana::cli::main_guarded(argc, argv); }
+int main(int argc, char** argv) {
+  const mdana::Ending ending = mdana::end_of_ranks(mdana::cli::run_guarded(argc, argv));
+  mdana::cli::end_progress();
+  if (!ending.told.empty() && mdana::is_first_rank()) std::cerr << "mdana: " << ending.told << "\n";
+  mdana::leave_ranks(ending.code);
+  return ending.code;
+}

@@ -140,6 +140,7 @@ const Command network_command{
     "sample-data/aggregate-tiny/contacts.dump.gz\n"
     "  mdana network dump.lammpstrj --units si --grain-radius 1e-7 -o network.csv",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

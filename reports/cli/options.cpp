@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "readers/input_error.hpp"
+#include "readers/ranks.hpp"
 #include "reports/cli/command.hpp"
 #include "reports/cli/signals.hpp"
 #include "reports/sink.hpp"
@@ -232,6 +233,7 @@ void check_directory(const std::filesystem::path& output) {
 }
 
 void print(const std::string& text) {
+  if (!is_first_rank()) return;
   std::cout << text << std::flush;
   if (!std::cout) throw std::runtime_error("cannot write to the standard output");
 }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "readers/ranks.hpp"
+
 namespace mdana::cli {
 namespace {
 
@@ -54,7 +56,7 @@ void catch_signals() {
 }
 
 std::function<void(const Progress&)> progress_printer() {
-  if (!::isatty(STDERR_FILENO)) return {};
+  if (!::isatty(STDERR_FILENO) || !is_first_rank()) return {};
   return [last = std::chrono::steady_clock::now()](const Progress& progress) mutable {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < std::chrono::milliseconds(200)) return;

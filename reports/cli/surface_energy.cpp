@@ -122,6 +122,7 @@ const Command surface_energy_command{
     "  mdana surface-energy run/dump.lammpstrj.gz --frames 0:1 --body 2\n"
     "  mdana surface-energy relaxed.lammpstrj --units lj --energy -9.2783e5 --cutoff 5 --shift yes",
     add_options,
-    run_command};
+    run_command,
+    /*on_ranks=*/true};
 
 }  // namespace mdana::cli

@@ -211,11 +211,13 @@ class Witness final : public FrameAnalysis {
     row[1] = std::is_sorted(ids.begin(), ids.end());
     return std::make_unique<Note>(header.step, given_);
   }
+  void give_sent(const std::function<std::string()>&) const override {}
 
  private:
   struct Note final : Product {
     Note(std::int64_t of_step, std::vector<std::int64_t>& to) : step(of_step), given(to) {}
     void give() override { given.push_back(step); }
+    void send(const std::function<void(const std::string&)>&) override {}
     std::int64_t step;
     std::vector<std::int64_t>& given;
   };

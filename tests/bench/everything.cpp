@@ -18,6 +18,7 @@ class Nothing final : public Partial {
  public:
   void add(const LabelledBlock&) override {}
   void merge(const Partial&) override {}
+  void pass(Parcel&) override {}
   void close(std::span<double>) const override {}
 };
 
