@@ -101,7 +101,8 @@ struct Ladder {
   std::vector<AccuracyRow> rows;
   std::string left_out;
 
-  /// Greatest error of all numbers at a value of the knob; infinite if it was not measured.
+  /// Greatest error of all numbers at a value of the knob, at least half of what their stated errors have grown by: some are
+  /// near the reference by chance, as an extreme that a coarse sampling happens to meet. Infinite if it was not measured.
   double error_at(const std::string& setting) const;
 };
 

@@ -39,7 +39,8 @@ AccuracySubject force_subject(const DumpQuestion& question);
 AccuracySubject contact_radius_subject(const DumpQuestion& question);
 AccuracySubject energy_subject(const DumpQuestion& question);
 AccuracySubject fit_hertz_subject(const DumpQuestion& question);
-AccuracySubject fit_force_subject(const DumpQuestion& question);  ///< of a law
+/// Of the question's law. Stated errors are also the differences to fits of every second frame.
+AccuracySubject fit_force_subject(const DumpQuestion& question);
 AccuracySubject collision_subject(const DumpQuestion& question);
 AccuracySubject surface_energy_subject(const DumpQuestion& question);  ///< of body 1 by the scene's potential
 AccuracySubject compress_subject(const DumpQuestion& question);

@@ -151,11 +151,17 @@ const Knob& AccuracySubject::knob(std::string_view wanted) const {
 }
 
 double Ladder::error_at(const std::string& setting) const {
-  double greatest = -1;
-  for (const AccuracyRow& row : rows)
-    if (row.setting == setting)
-      greatest = std::isnan(row.error) ? std::numeric_limits<double>::infinity() : std::max(greatest, row.error);
-  return greatest < 0 ? std::numeric_limits<double>::infinity() : greatest;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double greatest = -1, first_stated = not_known;
+  const std::string* quantity = nullptr;
+  for (const AccuracyRow& row : rows) {
+    if (!quantity || *quantity != row.quantity) first_stated = row.stated;
+    quantity = &row.quantity;
+    if (row.setting != setting) continue;
+    const double added = 0.5 * (row.stated - first_stated);  // that `stated` holds with twice its size
+    greatest = std::isnan(row.error) ? infinite : std::max({greatest, row.error, std::isnan(added) ? 0 : added});
+  }
+  return greatest < 0 ? infinite : greatest;
 }
 
 Ladder climb(const AccuracySubject& subject, const Knob& knob, int repetitions) {

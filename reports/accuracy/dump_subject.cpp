@@ -97,7 +97,7 @@ std::vector<DumpKnob> together(std::vector<DumpKnob> first, std::vector<DumpKnob
 
 MeasuredForce measure_force(const DumpQuestion& q, const Measuring& m) {
   const ForceSource source = m.source ? *m.source : best_force_source(q.run);
-  MeasuredForce force{measure_motion(q.run, parts_for(source), {}, m.sweeping), find_radii(q.run, q.options), {}};
+  MeasuredForce force{source, measure_motion(q.run, parts_for(source), {}, m.sweeping), find_radii(q.run, q.options), {}};
   force.curve = touching_force_curve(q.run, force.measured.motion, source, force.radii, m.derivative);
   return force;
 }

@@ -46,6 +46,7 @@ std::vector<DumpKnob> derivative_knobs(const Run& run);
 
 /// Motion and force curve of one pass.
 struct MeasuredForce {
+  ForceSource source;
   MeasuredMotion measured;
   Radii radii;
   ForceCurve curve;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -33,15 +34,35 @@ std::vector<std::string> free_of(const ForceLaw& law, std::vector<std::string> f
   return free;
 }
 
-std::vector<JudgedNumber> fitted_numbers(const DumpQuestion& q, const Measuring& m) {
-  const MeasuredForce measured = measure_force(q, m);
+ForceFit fit_of(const DumpQuestion& q, const Measuring& m, const ForceCurve& curve, const Radii& radii) {
   ForceFitSettings settings = m.force_fit;
   settings.free = free_of(*m.law, settings.free);
-  const ForceFit fit = told_of(q.run, [&] { return fit_force(*m.law, force_data(measured.curve, measured.radii), settings); });
+  ForceFit fit = told_of(q.run, [&] { return fit_force(*m.law, force_data(curve, radii), settings); });
   if (!fit.fit.usable) throw InputError(fmt::format("{}: the fit is not usable: {}", q.run.dump.string(), fit.fit.reason));
+  return fit;
+}
+
+/// The standard error, and the greatest difference to the same from every second frame; not known if these are too few.
+std::optional<double> error_of(const ForceFit& fit, std::span<const ForceFit> halves, std::size_t k) {
+  if (halves.size() < 2 || !std::isfinite(fit.parameters[k].error)) return std::nullopt;
+  double greatest = 0;
+  for (const ForceFit& half : halves) greatest = std::max(greatest, std::abs(half.parameters[k].value - fit.parameters[k].value));
+  return std::hypot(fit.parameters[k].error, greatest);
+}
+
+std::vector<JudgedNumber> fitted_numbers(const DumpQuestion& q, const Measuring& m) {
+  const MeasuredForce measured = measure_force(q, m);
+  const ForceFit fit = fit_of(q, m, measured.curve, measured.radii);
+  std::vector<ForceFit> halves;
+  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) try {
+      const RelativeMotion half = measured.measured.motion.subset(first, 2);
+      const ForceCurve curve = touching_force_curve(q.run, half, measured.source, measured.radii, m.derivative);
+      halves.push_back(fit_of(q, m, curve, measured.radii));
+    } catch (const InputError&) {  // the error is then not known
+    }
   std::vector<JudgedNumber> numbers;
-  for (const ForceEstimate& e : fit.parameters)
-    numbers.push_back({e.name, {e.value, std::isfinite(e.error) ? std::optional(e.error) : std::nullopt, e.dimension}});
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k)
+    numbers.push_back({fit.parameters[k].name, {fit.parameters[k].value, error_of(fit, halves, k), fit.parameters[k].dimension}});
   return numbers;
 }
 

@@ -91,6 +91,20 @@ TEST(Accuracy, TheRecommendationIsTheCheapestThatMeetsTheError) {
   EXPECT_NEAR(no.error, 3e-5, 1e-6);
 }
 
+// The third value is right by chance, and says by its stated error that it need not be.
+TEST(Accuracy, WhatIsRightByChanceIsNotRecommended) {
+  AccuracySubject subject = power_law(2);
+  subject.measure = [measure = subject.measure](const KnobChoice& choice) {
+    std::vector<JudgedNumber> numbers = measure(choice);
+    if (choice.of("h") == 2) numbers[0].value.value = 1;
+    return numbers;
+  };
+  const Ladder ladder = climb(subject, subject.knobs[0], 1);
+  EXPECT_LT(ladder.rows[2].error, 2e-4);
+  EXPECT_NEAR(ladder.error_at(ladder.rows[2].setting), 0.3 * (0.04 * 0.04 - 0.01 * 0.01), 1e-6);
+  EXPECT_EQ(recommend(subject, {&ladder, 1}, 4e-4).choice.of("h"), 1u);
+}
+
 // Two knobs whose errors add up: each alone would do.
 TEST(Accuracy, KnobsAreJudgedTogether) {
   AccuracySubject subject = power_law(1);
