@@ -21,6 +21,7 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 constexpr std::string_view bodies_key = " bodies=";
+constexpr double most_atoms = 9007199254740992.0;  ///< 2^53: beyond it doubles do not count
 constexpr std::array<std::string_view, 11> motion_columns{"n", "m", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"};
 constexpr std::array<std::string_view, 10> energy_columns{"Kt", "Lx", "Ly", "Lz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz"};
 
@@ -136,6 +137,8 @@ class InlineReader {
     if (!std::isfinite(value)) fail(fmt::format("{} in column {}: the run went wrong; use the rows before it", value, log_.columns[k]));
     const char first = log_.columns[k][0];
     if ((first == 'n' || first == 'm') && !(value > 0)) fail(fmt::format("{} in column {}: a body has no atoms", value, log_.columns[k]));
+    if (first == 'n' && (value != std::floor(value) || value > most_atoms))
+      fail(fmt::format("{} in column {}: a number of atoms is expected", value, log_.columns[k]));
     log_.values[k].push_back(value);
     log_.last_digit[k] = std::min(log_.last_digit[k], last_digit_of(text));
   }

@@ -87,6 +87,9 @@ struct ReportDone {
 /// study afterwards, from which paths in results count.
 ReportDone make_report(const ReportOptions& options);
 
+/// A study is divided into so many tasks at most.
+inline constexpr std::size_t most_tasks = 100000;
+
 /// One of the tasks that a study is divided into, each of which does some of its runs.
 struct TaskChoice {
   std::size_t task = 1, of = 1;  ///< 1 <= task <= of

@@ -55,7 +55,8 @@ int tell_report(const Values& values, const ReportDone& done) {
 
 std::size_t count_option(const Values& values, const char* name) {
   const long count = values[name].as<long>();
-  if (count < 1 || count > 1000000) throw UsageError(fmt::format("--{} {}: 1 to 1000000 expected", name, count));
+  if (count < 1 || static_cast<std::size_t>(count) > most_tasks)
+    throw UsageError(fmt::format("--{} {}: 1 to {} expected", name, count, most_tasks));
   return static_cast<std::size_t>(count);
 }
 

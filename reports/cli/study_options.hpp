@@ -16,7 +16,7 @@ int resumably(const std::function<int()>& work);
 /// Prints the document or the path, and each failure on the standard error.
 int tell_report(const Values& values, const ReportDone& done);
 
-/// The number of an option, 1 to a million. Throws UsageError.
+/// The number of an option, 1 to most_tasks. Throws UsageError.
 std::size_t count_option(const Values& values, const char* name);
 
 }  // namespace mdana::cli

@@ -21,7 +21,8 @@ std::optional<std::size_t> division(const std::string& name) {
   const std::string_view middle = "-of-";
   if (error != std::errc() || !std::string_view(rest, end).starts_with(middle)) return std::nullopt;
   const auto [last, second] = std::from_chars(rest + middle.size(), end, of);
-  return second == std::errc() && last == end && task >= 1 && task <= of ? std::optional(of) : std::nullopt;
+  const bool one = second == std::errc() && last == end && task >= 1 && task <= of && of <= most_tasks;
+  return one ? std::optional(of) : std::nullopt;
 }
 
 }  // namespace

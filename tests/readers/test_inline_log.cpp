@@ -17,11 +17,11 @@ const std::string of_body_2 = "n2 m2 x2 y2 z2 vx2 vy2 vz2 fx2 fy2 fz2 Kt2 Lx2 Ly
 const std::string columns = "# TimeStep time dt " + of_body_1 + " " + of_body_2 + "\n";
 constexpr int numbers = 44;  ///< in a row besides the step
 
-/// A row whose k-th number is `k + 0.25`, k from 1, but for one of them.
+/// A row whose k-th number is `k + 0.25`, k from 1 (of atoms, which are whole, k), but for one of them.
 std::string row(int step, int changed = 0, const std::string& text = {}) {
   std::ostringstream line;
   line << step;
-  for (int k = 1; k <= numbers; ++k) line << ' ' << (k == changed ? text : std::to_string(k) + ".25");
+  for (int k = 1; k <= numbers; ++k) line << ' ' << (k == changed ? text : std::to_string(k) + (k == 3 || k == 24 ? "" : ".25"));
   return line.str() + "\n";
 }
 
@@ -32,7 +32,7 @@ class InlineLogs : public ::testing::Test {
 };
 
 TEST_F(InlineLogs, HeadAndRows) {
-  const InlineLog log = read(title + columns + row(0) + row(32, 3, "1e-3") + row(40));
+  const InlineLog log = read(title + columns + row(0) + row(32, 5, "1e-3") + row(40));
   EXPECT_EQ(log.units, Units::metal);
   EXPECT_EQ(log.interaction, Interaction::adhesive);
   EXPECT_EQ(log.radii, (std::vector<double>{5, 6.5}));
@@ -40,10 +40,11 @@ TEST_F(InlineLogs, HeadAndRows) {
   EXPECT_EQ(log.bodies, "type 1, 2");
   EXPECT_EQ(log.steps, (std::vector<std::int64_t>{0, 32, 40}));
   EXPECT_EQ(*log.find("time"), (std::vector<double>{1.25, 1.25, 1.25}));
-  EXPECT_EQ(*log.find("n1"), (std::vector<double>{3.25, 1e-3, 3.25}));
+  EXPECT_EQ(*log.find("n1"), (std::vector<double>{3, 3, 3}));
+  EXPECT_EQ(*log.find("x1"), (std::vector<double>{5.25, 1e-3, 5.25}));
   EXPECT_EQ(log.find("Ixz2")->front(), numbers + 0.25);
   EXPECT_FALSE(log.has("W1"));
-  EXPECT_DOUBLE_EQ(log.last_digit[2], 1e-3);
+  EXPECT_DOUBLE_EQ(log.last_digit[4], 1e-3);
   EXPECT_EQ(log.cut, "");
   EXPECT_EQ(read(title + "# TimeStep time dt " + of_body_1 + " W1 " + of_body_2 + " W2\n" + "0" +
                  row(0).substr(1, row(0).size() - 2) + " 45 46\n").find("W2")->front(), 46);
@@ -87,6 +88,8 @@ TEST_F(InlineLogs, FaultsAreToldWithTheirLines) {
   EXPECT_INPUT_ERROR(read(head + row(0) + row(10, 11, "-inf")), ":4:", "fx1");
   EXPECT_INPUT_ERROR(read(head + row(0) + row(10, 11, "1e999")), ":4:", "fx1");
   EXPECT_INPUT_ERROR(read(head + row(0) + row(10, 3, "0")), ":4:", "n1", "no atoms");
+  EXPECT_INPUT_ERROR(read(head + row(0) + row(10, 24, "1e300")), ":4:", "n2", "number of atoms");
+  EXPECT_INPUT_ERROR(read(head + row(0) + row(10, 24, "2.5")), ":4:", "n2", "number of atoms");
   EXPECT_INPUT_ERROR(read(head + row(20) + row(20)), ":4:", "20 does not come after 20");
   EXPECT_INPUT_ERROR(read(head + row(20) + row(10)), ":4:", "10 does not come after 20");
   EXPECT_INPUT_ERROR(read(head + row(0) + head + row(10)), ":4:", "second head");
