@@ -95,7 +95,9 @@ class ContentReader {
       fail("the dimension 'atom' is unlimited; that of the frames should be");
     if (content_.frames_are_records && content_.frames > 0 && header_.record_bytes == 0)
       fail("the frames hold no numbers");
-    if (std::max(content_.atoms, content_.frames) > header_.file_bytes)
+    // Of records as many are read as are there.
+    const std::uint64_t fixed_frames = content_.frames_are_records ? 0 : content_.frames;
+    if (std::max(content_.atoms, fixed_frames) > header_.file_bytes)
       fail(fmt::format("{} frames of {} atoms, more than a file of {} bytes can hold", content_.frames,
                        content_.atoms, header_.file_bytes));
   }

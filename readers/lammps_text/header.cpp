@@ -157,7 +157,7 @@ class HeaderReader {
     if (header_.columns.empty())
       fail("ITEM: ATOMS names no columns (dumps of LAMMPS before 2010 are not read)");
     if (const std::string wrong = wrong_names(header_.columns); !wrong.empty())
-      fail("ITEM: ATOMS: " + wrong);
+      fail(wrong + " (ITEM: ATOMS)");
   }
 
   LineReader& lines_;

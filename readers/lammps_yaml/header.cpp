@@ -147,7 +147,7 @@ class HeaderReader {
   }
 
   void columns(std::vector<std::string> names) {
-    if (const std::string wrong = wrong_names(names); !wrong.empty()) fail("'keywords:': " + wrong);
+    if (const std::string wrong = wrong_names(names); !wrong.empty()) fail(wrong + " ('keywords:')");
     if (names.empty()) fail("'keywords:' names no columns");
     header_.columns = std::move(names);
   }

@@ -165,7 +165,7 @@ class BadTables(Contact):
 
     def test_heads(self):
         self.expect([(1, 2, 3)], "R,v,ee", "runs.csv:2", "unknown column 'ee'", "sigma")
-        self.expect([(1, 2, 3)], "R,v,v", "runs.csv:2", "column v stands twice")
+        self.expect([(1, 2, 3)], "R,v,v", "runs.csv:2", "column 'v' stands twice")
         self.expect([(1, 2)], "R,e", "runs.csv:2", "column v (relative velocity at delta = 0) is missing")
         self.expect([(1, 2)], "R,v", "runs.csv:2", "nothing that was seen")
         self.expect([], "R,v,e", "no rows below the line with the names")
