@@ -61,8 +61,7 @@ std::string group_lines(int body, const std::string& style, const std::vector<Ra
   std::string text;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     if (k % in_a_line == 0) text += fmt::format("{}group           mdana{} {}", k ? "\n" : "", body, style);
-    const auto [first, last] = ranges[k];
-    text += first == last ? fmt::format(" {}", first) : fmt::format(" {}:{}", first, last);
+    text += ranges[k].first == ranges[k].last ? fmt::format(" {}", ranges[k].first) : fmt::format(" {}:{}", ranges[k].first, ranges[k].last);
   }
   return text + "\n";
 }
@@ -76,7 +75,7 @@ std::string formula_of(const std::string& column, int body) {
   if (column == "Kt") return fmt::format("0.5*(c_mdana_t{0}[1]+c_mdana_t{0}[2]+c_mdana_t{0}[3])", body);
   if (column == "W") return fmt::format("c_mdana_w{}", body);
   if (column.starts_with('I')) return fmt::format("inertia({},{})", group, column.substr(1));
-  const char* function = column[0] == 'v' ? "vcm" : column[0] == 'f' ? "fcm" : column[0] == 'L' ? "angmom" : "xcm";
+  const char* function = column.starts_with('v') ? "vcm" : column.starts_with('f') ? "fcm" : column.starts_with('L') ? "angmom" : "xcm";
   return fmt::format("{}({},{})", function, group, last);
 }
 
@@ -105,9 +104,9 @@ std::string title_of(const Run& run) {
 
 std::string fix_lines(const Run& run, const InlineWishes& wishes, const std::vector<std::string>& columns) {
   std::string text = "fix             mdana all ave/time ${mdana_every} 1 ${mdana_every}";
-  const char* next = " &\n                ";
-  for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("{}v_mdana_{}", k % in_a_line == 0 ? next : " ", columns[k]);
-  return text + fmt::format("{0}file {1} format \" %.17g\"{0}title1 \"{2}\"{0}title2 \"{3}{4}\"\n", next, wishes.file, title_of(run), inline_columns_title, fmt::join(columns, " "));
+  for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("{}v_mdana_{}", k % in_a_line == 0 ? " &\n                " : " ", columns[k]);
+  return text + fmt::format(" &\n                file {} format \" %.17g\" &\n                title1 \"{}\" &\n                title2 \"{}{}\"\n",
+                            wishes.file, title_of(run), inline_columns_title, fmt::join(columns, " "));
 }
 
 }  // namespace
@@ -121,8 +120,7 @@ std::string inline_lines(const Run& run, const InlineWishes& wishes) {
       "# two bodies ({}), every so many steps of the run, into {}.\n"
       "# include this behind the pair style and before the run of the collision.\n"
       "variable        mdana_every index {}\n", version, run.bodies.rule(), wishes.file, wishes.every);
-  for (const std::size_t b : {0, 1})
-    text += group_lines(static_cast<int>(b) + 1, style_of(column), ranges_of(values[b], run));
+  for (const int body : {1, 2}) text += group_lines(body, style_of(column), ranges_of(values[static_cast<std::size_t>(body - 1)], run));
   for (const int body : {1, 2}) text += fmt::format("compute         mdana_t{0} mdana{0} temp/com\n", body);
   if (wishes.potential) text += potential_lines();
   for (const std::string& c : columns) text += variable_line(c);

@@ -33,16 +33,14 @@ Json run_json(const PlannedOfStudy& run) {
   return json;
 }
 
-Json task_json(const TaskRuns& task, const TaskCosts::Cost& cost, std::span<const PlannedOfStudy> runs,
-               const ReportOptions& options) {
-  return {{"task", task.choice.task}, {"of", task.choice.of}, {"runs", names(runs, task.runs)},
-          {"besides", names(runs, task.besides)}, {"seconds", cost.seconds}, {"processor_seconds", cost.processor_seconds}, {"bytes", cost.bytes},
+Json task_json(const TaskRuns& task, const TaskCosts::Cost& cost, std::span<const PlannedOfStudy> runs, const ReportOptions& options) {
+  return {{"task", task.choice.task}, {"of", task.choice.of}, {"runs", names(runs, task.runs)}, {"besides", names(runs, task.besides)},
+          {"seconds", cost.seconds}, {"processor_seconds", cost.processor_seconds}, {"bytes", cost.bytes},
           {"command", command_of(options, task.choice)}};
 }
 
 std::string task_line(const TaskRuns& task, const TaskCosts::Cost& cost, std::span<const PlannedOfStudy> runs) {
-  std::string text = fmt::format("{:>8} {:>7}  {}", time_text(cost.seconds), bytes_text(cost.bytes),
-                                 fmt::join(names(runs, task.runs), ", "));
+  std::string text = fmt::format("{:>8} {:>7}  {}", time_text(cost.seconds), bytes_text(cost.bytes), fmt::join(names(runs, task.runs), ", "));
   if (task.runs.empty()) text += "nothing";
   if (!task.besides.empty()) text += fmt::format(" (besides, for E* and R: {})", fmt::join(names(runs, task.besides), ", "));
   return text;
@@ -102,16 +100,15 @@ void add_task_plan(Document& document, std::span<const PlannedOfStudy> runs, std
   for (const auto& division : divisions) costs.push_back(costs_of(division, runs));
   document.line("divisions", " longest  at work");
   for (const TaskCosts& c : costs) {
-    all.push_back({{"of", c.tasks.size()}, {"seconds", c.longest()}, {"processor_seconds", c.processor_seconds()},
-                   {"busy", busy(c, costs[0])}});
+    all.push_back({{"of", c.tasks.size()}, {"seconds", c.longest()}, {"processor_seconds", c.processor_seconds()}, {"busy", busy(c, costs[0])}});
     document.line(fmt::format("  {} task{}", c.tasks.size(), c.tasks.size() == 1 ? "" : "s"),
                   fmt::format("{:>8} {:>7.0f} %", time_text(c.longest()), 100 * busy(c, costs[0])));
   }
   const std::size_t best = costs[sensible(costs)].tasks.size();
   document.json("divisions", std::move(all));
   document.json("sensible", best);
-  document.line("sensible", fmt::format("{} task{}: the most of a minute and more in the mean that are at work for {:.0f} % of "
-                                        "the longest", best, best == 1 ? "" : "s", 100 * least_busy));
+  document.line("sensible", fmt::format("{} task{}: the most of a minute and more in the mean that are at work for {:.0f} % of the longest",
+                                        best, best == 1 ? "" : "s", 100 * least_busy));
   const std::vector<TaskRuns>& division = divisions[chosen];
   document.line("tasks", "    time  memory  runs");
   for (std::size_t k = 0; k < division.size(); ++k) {
