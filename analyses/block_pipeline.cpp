@@ -8,13 +8,30 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "analyses/stage_seconds.hpp"
+
 namespace mdana {
 namespace {
 
+bool produce(const BlockPipeline& p, std::size_t slot) {
+  const StageClock clock(Stage::cut);
+  return p.produce(slot);
+}
+
+void work(const BlockPipeline& p, std::size_t slot) {
+  const StageClock clock(Stage::work);
+  p.work(slot);
+}
+
+void collect(const BlockPipeline& p, std::size_t slot) {
+  const StageClock clock(Stage::collect);
+  p.collect(slot);
+}
+
 void run_serially(const BlockPipeline& p) {
-  while (p.produce(0)) {
-    p.work(0);
-    p.collect(0);
+  while (produce(p, 0)) {
+    work(p, 0);
+    collect(p, 0);
   }
 }
 
@@ -22,33 +39,34 @@ void run_in_parallel(const BlockPipeline& p) {
   namespace tbb = oneapi::tbb;
   std::vector<std::exception_ptr> failed(p.slots);
   std::size_t produced = 0;
-  const auto produce = [&](tbb::flow_control& control) {
+  const auto first = [&](tbb::flow_control& control) {
     const std::size_t slot = produced++ % p.slots;  // free: at most `slots` blocks are under way
-    if (!p.produce(slot)) control.stop();
+    if (!produce(p, slot)) control.stop();
     return slot;
   };
-  const auto work = [&](std::size_t slot) {
+  const auto second = [&](std::size_t slot) {
     try {
-      p.work(slot);
+      work(p, slot);
     } catch (...) {
       failed[slot] = std::current_exception();
     }
     return slot;
   };
-  const auto collect = [&](std::size_t slot) {
+  const auto third = [&](std::size_t slot) {
     if (failed[slot]) std::rethrow_exception(failed[slot]);
-    p.collect(slot);
+    collect(p, slot);
   };
   using tbb::filter_mode;
   tbb::parallel_pipeline(
-      p.slots, tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, produce) &
-                   tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, work) &
-                   tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, collect));
+      p.slots, tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, first) &
+                   tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, second) &
+                   tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, third));
 }
 
 }  // namespace
 
 void run(const BlockPipeline& p) {
+  const StageClock clock(Stage::sweeps);
   if (p.threads <= 1) return run_serially(p);
   using oneapi::tbb::global_control;
   const global_control allowed(global_control::max_allowed_parallelism, p.threads);

@@ -15,6 +15,7 @@
 #include "analyses/merge_tree.hpp"
 #include "analyses/motion.hpp"
 #include "analyses/parcel.hpp"
+#include "analyses/stage_seconds.hpp"
 #include "readers/input_error.hpp"
 #include "readers/last_digit.hpp"
 #include "readers/ranks.hpp"
@@ -254,6 +255,7 @@ class FrameRun::Rounds {
     if (atoms_->size() == 0) throw InputError("a frame without atoms of a body");
     kept_.clear();
     atoms_->sort();
+    const StageClock clock(Stage::whole);
     const auto atoms = std::move(atoms_);
     for (const std::size_t k : whole_) {
       const auto& analysis = dynamic_cast<const FrameAnalysis&>(*plan_.analyses[k]);

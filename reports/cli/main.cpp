@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <iostream>
 
 #include <fmt/format.h>
 
+#include "analyses/stage_seconds.hpp"
 #include "analyses/sweep.hpp"
 #include "readers/ranks.hpp"
 #include "reports/cli/command.hpp"
@@ -60,7 +62,22 @@ Values parse(const Command& command, int argc, char** argv) {
   return values;
 }
 
+/// Where the time of a command went. What only one thread does bounds what more of them can gain (Amdahl).
+void tell_profile(double wall) {
+  const StageSeconds s = stage_seconds();
+  const auto line = [&](const char* what, double seconds) {
+    std::cerr << fmt::format("{:<58} {:9.3f} s {:5.1f} %\n", what, seconds, 100 * seconds / wall);
+  };
+  line("blocks cut out of the file, one after the other", s.cut);
+  line("numbers converted and analysed, all threads together", s.work);
+  line("partials merged, one after the other", s.collect);
+  line("whole frames analysed (neighbours)", s.whole);
+  line("besides: start, first looks, fits, output", wall - s.sweeps - s.whole);
+  line("in all", wall);
+}
+
 int run(const Command& command, int argc, char** argv) {
+  const auto start = std::chrono::steady_clock::now();
   Values values = parse(command, argc, argv);
   if (values["help"].as<bool>()) {
     print(help(command));
@@ -74,7 +91,10 @@ int run(const Command& command, int argc, char** argv) {
   if (rank_count() > 1 && !command.on_ranks)
     throw UsageError(fmt::format("{} does not share its work among processes; start it without mpirun", command.name));
   catch_signals();
-  return command.run(values);
+  const int code = command.run(values);
+  if (values.count("profile") && values["profile"].as<bool>())
+    tell_profile(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return code;
 }
 
 Ending wrong_usage(std::string_view name, std::string_view what) {

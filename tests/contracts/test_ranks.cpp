@@ -43,7 +43,7 @@ class FrameInBlocks : public testing::Test {
     for (const auto& analysis : analyses_) wanted.add(analysis->needs().columns);
     header_ = for_frame(dump, 1, wanted, [&](const AtomBlock& block) { whole_ = block; });
     const Bodies bodies = find_bodies(dump, first_, "type");
-    for (const auto [from, to] : {std::pair{0u, 90u}, {90u, 91u}, {91u, 200u}, {200u, 230u}, {230u, 300u}}) {
+    for (const auto& [from, to] : {std::pair{0u, 90u}, {90u, 91u}, {91u, 200u}, {200u, 230u}, {230u, 300u}}) {
       std::vector<std::uint32_t> atoms(to - from);
       std::iota(atoms.begin(), atoms.end(), from);
       blocks_.emplace_back(whole_).keep(atoms);
