@@ -63,7 +63,7 @@ Values parse(const Command& command, int argc, char** argv) {
 }
 
 /// Where the time of a command went. What only one thread does bounds what more of them can gain (Amdahl).
-void tell_profile(double wall) {
+void tell_timings(double wall) {
   const StageSeconds s = stage_seconds();
   const auto line = [&](const char* what, double seconds) {
     std::cerr << fmt::format("{:<58} {:9.3f} s {:5.1f} %\n", what, seconds, 100 * seconds / wall);
@@ -92,8 +92,8 @@ int run(const Command& command, int argc, char** argv) {
     throw UsageError(fmt::format("{} does not share its work among processes; start it without mpirun", command.name));
   catch_signals();
   const int code = command.run(values);
-  if (values.count("profile") && values["profile"].as<bool>())
-    tell_profile(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  if (values.count("timings") && values["timings"].as<bool>())
+    tell_timings(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return code;
 }
 

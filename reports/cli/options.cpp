@@ -178,7 +178,7 @@ void add_resource_options(Options& options) {
       ("memory", po::value<std::string>()->default_value("128M")->value_name("SIZE"),
        "memory for the atoms of a frame that are looked at twice; beyond it they are read twice "
        "(besides, about 5 MB a thread). 512M, 2G ...; MB without a letter")
-      ("profile", po::bool_switch(), "tell on the standard error where the time went");
+      ("timings", po::bool_switch(), "tell on the standard error where the time went");
 }
 
 void set_resources(const Values& values, SweepOptions& sweeping) {

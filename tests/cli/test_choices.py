@@ -51,7 +51,7 @@ class Choices(running.Case):
     def test_large_files_get_an_index(self):
         """Comments before some frames make the file larger than 256 MiB."""
         text = gzip.decompress(SAMPLE.read_bytes())
-        filler = b"# " + b"-" * (90 << 20) + b"\n"
+        filler = (b"# " + b"-" * 1021 + b"\n") * (90 << 10)
         large = self.dir / "large.lammpstrj"
         first, *frames = text.split(b"ITEM: TIME\n")[1:]
         with open(large, "wb") as file:

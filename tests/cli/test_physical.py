@@ -64,7 +64,7 @@ class Physical(Case):
 
     def test_terminal_shows_both(self):
         text = self.mdana("force", SAMPLE, "--physical", "argon").stdout
-        self.assertRegex(text, r"(?m)^F_max +106\.1 ± 5\.5 ε/σ \(5\.14\d*e-10 ± 2\.7e-11 N\)$")
+        self.assertRegex(text, r"(?m)^F_max +106\.1 ± 5\.6 ε/σ \(5\.14\d*e-10 ± 2\.7e-11 N\)$")
         self.assertRegex(text, r"(?m)^physical +argon: ")
 
     def test_only_for_units_lj(self):

@@ -46,8 +46,9 @@ TEST_F(InlineLogs, HeadAndRows) {
   EXPECT_FALSE(log.has("W1"));
   EXPECT_DOUBLE_EQ(log.last_digit[4], 1e-3);
   EXPECT_EQ(log.cut, "");
-  EXPECT_EQ(read(title + "# TimeStep time dt " + of_body_1 + " W1 " + of_body_2 + " W2\n" + "0" +
-                 row(0).substr(1, row(0).size() - 2) + " 45 46\n").find("W2")->front(), 46);
+  const std::string with_potentials = row(0, 25, "25");  // where n2 is behind W1
+  EXPECT_EQ(read(title + "# TimeStep time dt " + of_body_1 + " W1 " + of_body_2 + " W2\n" +
+                 with_potentials.substr(0, with_potentials.size() - 1) + " 45 46\n").find("W2")->front(), 46);
 }
 
 TEST_F(InlineLogs, Recognised) {
