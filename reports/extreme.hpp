@@ -49,4 +49,7 @@ std::vector<ExtremeCase> extreme_laws();
 /// build has no defects.
 std::vector<ExtremeCase> extreme_structures();
 
+/// Contacts of grains on a lattice: any lengths, tiny overlaps, far away, unequal, and what must be refused.
+std::vector<ExtremeCase> extreme_networks();
+
 }  // namespace mdana

@@ -22,8 +22,11 @@ struct Catalogue {
   std::string_view name;
   std::vector<ExtremeCase> (*cases)();
 };
-constexpr std::array<Catalogue, 4> catalogues{
-    {{"laws", extreme_laws}, {"fits", extreme_fits}, {"dumps", extreme_dumps}, {"structures", extreme_structures}}};
+constexpr std::array<Catalogue, 5> catalogues{{{"laws", extreme_laws},
+                                               {"fits", extreme_fits},
+                                               {"dumps", extreme_dumps},
+                                               {"structures", extreme_structures},
+                                               {"networks", extreme_networks}}};
 
 bool is_catalogue(std::string_view what) {
   return what == "all" || std::ranges::find(catalogues, what, &Catalogue::name) != catalogues.end();
@@ -194,11 +197,11 @@ int run_command(const Values& values) {
 extern const Command stability_command;
 const Command stability_command{
     "stability",
-    "DUMP|laws|fits|dumps|structures|all",
+    "DUMP|laws|fits|dumps|structures|networks|all",
     "digits that numbers keep: of your dump, and in stiff and extreme cases",
     "Of a dump: repeats the analysis with each number moved at random within its last printed digit, and tells\n"
     "how many digits of each published number stay. One that keeps fewer than 3 is called weak.\n"
-    "Of laws, fits, dumps, structures, or all: computes cases that are stiff or extreme and of which something is known by\n"
+    "Of laws, fits, dumps, structures, networks, or all: computes cases that are stiff or extreme and of which something is known by\n"
     "analysis (any units and sizes, far from the origin, on a drift, coarse, few and noisy frames, no\n"
     "dissipation or much of it, the limit of sticking, narrow ranges, data that determine nothing ...): digits kept\n"
     "of those that should be, and what is refused. Fails if one is lost.",

@@ -41,6 +41,12 @@ TEST(ExtremeCases, StructuresKeepTheirDigits) {
   expect_right(cases);
 }
 
+TEST(ExtremeCases, NetworksKeepTheirDigits) {
+  const std::vector<ExtremeCase> cases = extreme_networks();
+  EXPECT_GE(cases.size(), 20u);
+  expect_right(cases);
+}
+
 Verdict verdict_of(const std::string& words, const std::function<Judged()>& work) {
   return judge("member", "case", words, work).verdict;
 }
