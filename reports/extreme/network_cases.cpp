@@ -93,8 +93,8 @@ std::vector<ExtremeCase> extreme_networks() {
   for (const double far : {1e3, 1e7}) cases.whole(fmt::format("{:g} radii from the origin", far), {.origin = {far, -far, far}});
   for (const double ratio : {10.0, 100.0}) cases.unequal(ratio);
   cases.refused("two grains at one place", {.doubled = 1}, "coincide");
-  cases.refused("a coordinate nan", {.spoilt = std::nan("")}, "finite");
-  cases.refused("a coordinate inf", {.spoilt = std::numeric_limits<double>::infinity()}, "finite");
+  cases.refused("a coordinate nan", {.spoilt = std::nan("")}, "not a place");
+  cases.refused("a coordinate inf", {.spoilt = std::numeric_limits<double>::infinity()}, "not a place");
   for (const double radius : {0.0, -1.0, std::nan("")}) cases.refused(fmt::format("a radius of {:g}", radius), {.last_radius = radius}, "radius");
   return std::move(cases.cases);
 }
