@@ -80,12 +80,12 @@ def main():
         print(f"| {count} | {size / 1e9:.2f} | " + " | ".join(cells) + " |", flush=True)
     if len(args.atoms) < 3:
         return
-    print(f"\n| for {args.to:g} atoms | seconds a frame | growth of time | MB |\n|---|---:|---:|---:|")
-    for name, rows in seen.items():  # a power law through the last three
+    print(f"\n| for {args.to:g} atoms, at most | seconds a frame | growth of time so far | MB |\n|---|---:|---:|---:|")
+    for name, rows in seen.items():  # time and memory grow on in proportion to the atoms, or as they did if that is faster
         n, wall, memory = np.array(rows[-3:]).T
-        power, factor = np.polyfit(np.log(n), np.log(wall), 1)
-        slope = max(0.0, np.polyfit(n, memory, 1)[0])
-        print(f"| {name} | {np.exp(factor) * args.to**power:.0f} | atoms^{power:.2f} | {memory[-1] + slope * (args.to - n[-1]):.0f} |")
+        power = np.polyfit(np.log(n), np.log(wall), 1)[0]
+        slope = max(0.0, (memory[-1] - memory[-2]) / (n[-1] - n[-2]))
+        print(f"| {name} | {wall[-1] * (args.to / n[-1])**max(1.0, power):.0f} | atoms^{power:.2f} | {memory[-1] + slope * (args.to - n[-1]):.0f} |")
 
 
 if __name__ == "__main__":
