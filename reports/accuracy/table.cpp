@@ -2,25 +2,10 @@
 #include <fmt/format.h>
 
 #include "reports/accuracy.hpp"
+#include "reports/row_columns.hpp"
 
 namespace mdana {
 namespace {
-
-/// A column of texts.
-template <class Text>
-void add_texts(Table& table, const char* name, std::span<const AccuracyRow> rows, Text&& text) {
-  std::vector<std::string> words;
-  for (const AccuracyRow& row : rows) words.push_back(text(row));
-  table.add_words(name, words);
-}
-
-template <class Number>
-void add_numbers(Table& table, const char* name, std::span<const AccuracyRow> rows, Number&& number,
-                 Dimension dimension = dimension::none) {
-  std::vector<double> column;
-  for (const AccuracyRow& row : rows) column.push_back(number(row));
-  table.add_column({name, dimension}, std::move(column));
-}
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,13 +21,13 @@ AccuracyRow fixed_row(const AccuracySubject& subject, const FixedChoice& fixed) 
 
 Table accuracy_table(std::span<const AccuracyRow> rows) {
   Table table;
-  add_texts(table, "input", rows, [](const AccuracyRow& r) { return r.input; });
-  add_texts(table, "subject", rows, [](const AccuracyRow& r) { return r.subject; });
-  add_texts(table, "knob", rows, [](const AccuracyRow& r) { return r.knob; });
-  add_texts(table, "setting", rows, [](const AccuracyRow& r) { return r.setting; });
+  add_words(table, "input", rows, [](const AccuracyRow& r) { return r.input; });
+  add_words(table, "subject", rows, [](const AccuracyRow& r) { return r.subject; });
+  add_words(table, "knob", rows, [](const AccuracyRow& r) { return r.knob; });
+  add_words(table, "setting", rows, [](const AccuracyRow& r) { return r.setting; });
   add_numbers(table, "number", rows, [](const AccuracyRow& r) { return r.number; });
-  add_texts(table, "quantity", rows, [](const AccuracyRow& r) { return r.quantity; });
-  add_texts(table, "curve", rows, curve_of);
+  add_words(table, "quantity", rows, [](const AccuracyRow& r) { return r.quantity; });
+  add_words(table, "curve", rows, curve_of);
   add_numbers(table, "value", rows, [](const AccuracyRow& r) { return r.value; });
   add_numbers(table, "error", rows, [](const AccuracyRow& r) { return r.error; });
   add_numbers(table, "stated", rows, [](const AccuracyRow& r) { return r.stated; });

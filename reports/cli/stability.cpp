@@ -9,6 +9,7 @@
 #include "reports/cli/command.hpp"
 #include "reports/compressed.hpp"
 #include "reports/extreme.hpp"
+#include "reports/row_columns.hpp"
 #include "reports/stability.hpp"
 
 namespace mdana::cli {
@@ -30,20 +31,6 @@ constexpr std::array<Catalogue, 5> catalogues{{{"laws", extreme_laws},
 
 bool is_catalogue(std::string_view what) {
   return what == "all" || std::ranges::find(catalogues, what, &Catalogue::name) != catalogues.end();
-}
-
-template <class Row, class Text>
-void add_words(Table& table, const char* name, const std::vector<Row>& rows, Text&& text) {
-  std::vector<std::string> words;
-  for (const Row& row : rows) words.emplace_back(text(row));
-  table.add_words(name, words);
-}
-
-template <class Row, class Number>
-void add_numbers(Table& table, const char* name, const std::vector<Row>& rows, Number&& number, Dimension dimension = {}) {
-  std::vector<double> column;
-  for (const Row& row : rows) column.push_back(static_cast<double>(number(row)));
-  table.add_column({name, dimension}, std::move(column));
 }
 
 Table case_table(const std::vector<ExtremeCase>& cases) {

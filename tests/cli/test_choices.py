@@ -4,6 +4,7 @@
 
 import gzip
 import os
+import re
 
 import running
 from running import SAMPLE
@@ -67,6 +68,15 @@ class Choices(running.Case):
         os.utime(large)  # another time: the index is of no use, and made anew by the next who reads all
         self.assertEqual(self.table("force", large, *SCENE)["X"], whole["X"])
         self.assertNotEqual(index.read_text(), old)
+
+    def test_timings(self):
+        """Of one thread stages follow each other: they add up to all, and no result changes."""
+        done = self.mdana("force", SAMPLE, "--threads", "1", "--timings")
+        stages = [(name, float(seconds)) for name, seconds in re.findall(r"(?m)^(.+?)  +([\d.]+) s +[\d.]+ %$", done.stderr)]
+        *parts, (last, whole) = stages
+        self.assertEqual((len(parts), last), (5, "in all"))
+        self.assertAlmostEqual(sum(seconds for _, seconds in parts), whole, delta=0.1 * whole + 0.003)
+        self.assertEqual(self.mdana("force", SAMPLE, "--threads", "1").stderr, "")
 
     def test_strict_refuses_what_else_is_used_in_part(self):
         cut = self.dir / "cut.lammpstrj"
